@@ -1,0 +1,35 @@
+# How everything of ours is compiled. Third-party headers come in as SYSTEM and are not warned about.
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+find_program(RASTERLAB_CCACHE ccache)
+if(RASTERLAB_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # Precompiled headers need these two freedoms; without them ccache never hits.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${RASTERLAB_CCACHE}")
+endif()
+
+add_library(rasterlab_options INTERFACE)
+target_compile_options(
+  rasterlab_options
+  INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+            # One input gives one image, whatever the compiler.
+            -ffp-contract=off
+            $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+
+
+if(RASTERLAB_SANITIZERS)
+  string(REPLACE "," ";" sanitizers "${RASTERLAB_SANITIZERS}")
+  foreach(sanitizer IN LISTS sanitizers)
+    add_compile_options(-fsanitize=${sanitizer})
+    add_link_options(-fsanitize=${sanitizer})
+  endforeach()
+  add_compile_options(-fno-omit-frame-pointer -fno-sanitize-recover=all)
+endif()
