@@ -11,8 +11,19 @@
 
 namespace rasterlab {
 
-/// A width × height array of pixels. Row 0 is the top, x grows to the right and y down; rows follow each other without
-/// padding. Pixel types: `std::uint8_t` (grey), `Rgb8`, `Rgba8` (pixel.h), `float`, `std::int32_t`.
+/// What a pixel is unless said otherwise: zero in every channel, opaque.
+template <class Pixel>
+Pixel blank_pixel() {
+  if constexpr (requires { Pixel::Zero(); }) {
+    return Pixel::Zero();  // Eigen leaves Pixel{} uninitialized.
+  } else {
+    return Pixel{};
+  }
+}
+
+/// A width × height array of pixels. Row 0 is the top, x grows to the right and y down; rows follow
+/// each other without padding. Pixel types: `std::uint8_t` (grey), `Rgb8`, `Rgba8` (pixel.h),
+/// `float`, `std::int32_t`; what a file can hold besides: files.h.
 template <class Pixel>
 class Image {
  public:
@@ -20,8 +31,9 @@ class Image {
 
   Image() = default;
 
-  /// Every pixel is `fill`. Throws CheckError when a side is negative or the image would exceed 2^28 pixels.
-  Image(int width, int height, const Pixel& fill = Pixel{})
+  /// Every pixel is `fill`. Throws CheckError when a side is negative or the image would exceed
+  /// 2^28 pixels.
+  Image(int width, int height, const Pixel& fill = blank_pixel<Pixel>())
       : width_(width), height_(height), pixels_(checked_pixel_count(width, height), fill) {}
 
   int width() const { return width_; }

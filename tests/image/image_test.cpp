@@ -1,4 +1,5 @@
 #include "common/image/image.h"
+
 #include "common/image/pixel.h"
 
 #include <gmock/gmock.h>
