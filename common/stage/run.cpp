@@ -1,0 +1,70 @@
+#include "common/stage/run.h"
+
+#include "common/image/files.h"
+#include "common/stage/guard.h"
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace rasterlab {
+
+Run::Run(RunSettings settings) : settings_(std::move(settings)) {}
+
+/// --out names a file when it ends like one; a folder's name with a dot can be given with a trailing slash.
+bool Run::out_is_file() const {
+  return settings_.out.has_extension() && settings_.out.has_filename() && !std::filesystem::is_directory(settings_.out);
+}
+
+/// The path a result goes to. A single file takes one result only.
+std::filesystem::path Run::claim(const std::string& file_name) {
+  if (!out_is_file()) {
+    std::filesystem::create_directories(settings_.out);
+    return settings_.out / file_name;
+  }
+  if (!claimed_.empty()) {
+    throw UsageError("--out " + settings_.out.string() + " is one file, but both " + claimed_ + " and " + file_name +
+                     " are to be written: expected a folder, or --exercise and --algorithm that leave one picture");
+  }
+  claimed_ = file_name;
+  return settings_.out;
+}
+
+void Run::announce(const std::filesystem::path& path) const {
+  if (!settings_.quiet) std::cout << "wrote " << path.string() << "\n" << std::flush;
+}
+
+template <class Pixel>
+void Run::picture(const std::string& name, const Image<Pixel>& image) {
+  const std::filesystem::path path = claim(name + (std::is_same_v<Pixel, float> ? ".pfm" : ".png"));
+  write_image(path, image);
+  announce(path);
+}
+
+template void Run::picture(const std::string&, const Image<std::uint8_t>&);
+template void Run::picture(const std::string&, const Image<Rgb8>&);
+template void Run::picture(const std::string&, const Image<Rgba8>&);
+template void Run::picture(const std::string&, const Image<float>&);
+
+void Run::printout(const std::string& name, const std::string& text) {
+  if (!settings_.exercise.empty()) {
+    std::cout << text << std::flush;
+    return;
+  }
+  file(name + ".txt", [&](const std::filesystem::path& path) { std::ofstream(path) << text; });
+}
+
+void Run::file(const std::string& file_name, const std::function<void(const std::filesystem::path&)>& write) {
+  const std::filesystem::path path = claim(file_name);
+  write_atomically(path, write);
+  announce(path);
+}
+
+void Run::progress(const std::string& label, int done, int total) const {
+  if (settings_.quiet || isatty(STDERR_FILENO) == 0) return;
+  std::fprintf(stderr, "\r%s %d/%d%s", label.c_str(), done, total, done == total ? "\n" : "");
+}
+
+}  // namespace rasterlab
