@@ -9,7 +9,8 @@ namespace rasterlab {
 /// A file of the repository's `data` folder.
 std::filesystem::path data_path(const std::string& file_name);
 
-/// The Stanford bunny of Debian's package glmark2-data. Throws InputError naming the package when it is not installed.
+/// The Stanford bunny of Debian's package glmark2-data. Throws InputError naming the package when
+/// it is not installed.
 std::filesystem::path bunny_path();
 
 }  // namespace rasterlab

@@ -24,7 +24,8 @@ int run_guarded(const std::string& program, const std::function<int()>& body) {
     say(program, error.what());
     return 2;
   } catch (const CheckError& error) {
-    std::ofstream("backtrace_log.txt") << program << ": " << error.what() << "\n" << error.call_stack();
+    std::ofstream("backtrace_log.txt") << program << ": " << error.what() << "\n"
+                                       << error.call_stack();
     say(program, std::string(error.what()) + " (call stack in backtrace_log.txt)");
     return 1;
   } catch (const std::bad_alloc&) {

@@ -13,8 +13,9 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs `body` and returns its exit status. What it throws becomes one line on standard error, "PROGRAM: message", and
-/// the status 2 for UsageError, else 1. A failed check also leaves its call stack in `backtrace_log.txt`.
+/// Runs `body` and returns its exit status. What it throws becomes one line on standard error,
+/// "PROGRAM: message", and the status 2 for UsageError, else 1. A failed check also leaves its call
+/// stack in `backtrace_log.txt`.
 int run_guarded(const std::string& program, const std::function<int()>& body);
 
 }  // namespace rasterlab

@@ -13,9 +13,11 @@ namespace rasterlab {
 
 Run::Run(RunSettings settings) : settings_(std::move(settings)) {}
 
-/// --out names a file when it ends like one; a folder's name with a dot can be given with a trailing slash.
+/// --out names a file when it ends like one; a folder's name with a dot can be given with a
+/// trailing slash.
 bool Run::out_is_file() const {
-  return settings_.out.has_extension() && settings_.out.has_filename() && !std::filesystem::is_directory(settings_.out);
+  return settings_.out.has_extension() && settings_.out.has_filename() &&
+         !std::filesystem::is_directory(settings_.out);
 }
 
 /// The path a result goes to. A single file takes one result only.
@@ -25,8 +27,10 @@ std::filesystem::path Run::claim(const std::string& file_name) {
     return settings_.out / file_name;
   }
   if (!claimed_.empty()) {
-    throw UsageError("--out " + settings_.out.string() + " is one file, but both " + claimed_ + " and " + file_name +
-                     " are to be written: expected a folder, or --exercise and --algorithm that leave one picture");
+    throw UsageError("--out " + settings_.out.string() + " is one file, but both " + claimed_ +
+                     " and " + file_name +
+                     " are to be written: expected a folder, or --exercise and --algorithm that "
+                     "leave one picture");
   }
   claimed_ = file_name;
   return settings_.out;
@@ -56,7 +60,8 @@ void Run::printout(const std::string& name, const std::string& text) {
   file(name + ".txt", [&](const std::filesystem::path& path) { std::ofstream(path) << text; });
 }
 
-void Run::file(const std::string& file_name, const std::function<void(const std::filesystem::path&)>& write) {
+void Run::file(const std::string& file_name,
+               const std::function<void(const std::filesystem::path&)>& write) {
   const std::filesystem::path path = claim(file_name);
   write_atomically(path, write);
   announce(path);

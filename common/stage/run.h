@@ -22,28 +22,31 @@ struct Size {
 
 /// The values of the flags every stage has (see `--help`).
 struct RunSettings {
-  std::filesystem::path out;     ///< --out, else out/NN_topic
-  std::string exercise;          ///< --exercise; empty: all of them
-  std::string algorithm;         ///< --algorithm; empty: every rung
-  std::optional<Size> size;      ///< --size
-  bool statistics = false;       ///< --stats
-  bool quiet = false;            ///< -q
+  std::filesystem::path out;  ///< --out, else out/NN_topic
+  std::string exercise;       ///< --exercise; empty: all of them
+  std::string algorithm;      ///< --algorithm; empty: every rung
+  std::optional<Size> size;   ///< --size
+  bool statistics = false;    ///< --stats
+  bool quiet = false;         ///< -q
 };
 
 class Run {
  public:
   explicit Run(RunSettings settings);
 
-  /// Writes a picture as `NAME.png` into the output folder, or to the file that --out names. NAME has no extension and
-  /// starts with the exercise's id: "01.5_bresenham". Pixels: grey, Rgb8, Rgba8 (float: `NAME.pfm`).
+  /// Writes a picture as `NAME.png` into the output folder, or to the file that --out names. NAME
+  /// has no extension and starts with the exercise's id: "01.5_bresenham". Pixels: grey, Rgb8,
+  /// Rgba8 (float: `NAME.pfm`).
   template <class Pixel>
   void picture(const std::string& name, const Image<Pixel>& image);
 
-  /// A printout: shown on standard output when its exercise was asked for by --exercise, else written as `NAME.txt`.
+  /// A printout: shown on standard output when its exercise was asked for by --exercise, else
+  /// written as `NAME.txt`.
   void printout(const std::string& name, const std::string& text);
 
   /// A file of any other kind, made by `write`, which gets the path to write to.
-  void file(const std::string& file_name, const std::function<void(const std::filesystem::path&)>& write);
+  void file(const std::string& file_name,
+            const std::function<void(const std::filesystem::path&)>& write);
 
   /// Says "wrote PATH" for a file made by other means, as one named by its own flag.
   void announce(const std::filesystem::path& path) const;
@@ -52,7 +55,9 @@ class Run {
   Size size(Size fallback) const { return settings_.size.value_or(fallback); }
 
   /// Whether a rung of a ladder is to be drawn: all are, unless --algorithm chose one.
-  bool draws(std::string_view rung) const { return settings_.algorithm.empty() || settings_.algorithm == rung; }
+  bool draws(std::string_view rung) const {
+    return settings_.algorithm.empty() || settings_.algorithm == rung;
+  }
 
   /// The object --stats prints; exercises add what they counted.
   nlohmann::json& statistics() { return statistics_; }

@@ -15,9 +15,13 @@ namespace {
 Size parse_size(const std::string& text) {
   Size size;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 || size.width < 1 ||
-      size.height < 1 || static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) > max_pixel_count) {
-    throw UsageError("--size " + text + ": expected WIDTHxHEIGHT in pixels, each at least 1, as in 640x480, and at most 2^28 pixels");
+  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 ||
+      size.width < 1 || size.height < 1 ||
+      static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) >
+          max_pixel_count) {
+    throw UsageError("--size " + text +
+                     ": expected WIDTHxHEIGHT in pixels, each at least 1, as in 640x480, and at "
+                     "most 2^28 pixels");
   }
   return size;
 }
@@ -43,7 +47,8 @@ void print_exercises(const Stage& stage) {
 void print_ladders(const Stage& stage) {
   for (const Ladder& ladder : stage.ladders) {
     std::cout << ladder.exercise << ", worst first\n";
-    for (const Rung& rung : ladder.rungs) std::cout << "  " << rung.name << ": " << rung.known_fault << "\n";
+    for (const Rung& rung : ladder.rungs)
+      std::cout << "  " << rung.name << ": " << rung.known_fault << "\n";
   }
 }
 
@@ -71,7 +76,8 @@ std::vector<Exercise> chosen_exercises(const Stage& stage, const RunSettings& se
   if (!settings.algorithm.empty()) {
     const Ladder* ladder = ladder_with(stage, settings.algorithm);
     if (ladder == nullptr) {
-      throw UsageError("--algorithm " + settings.algorithm + ": expected one of " + rung_names(stage));
+      throw UsageError("--algorithm " + settings.algorithm + ": expected one of " +
+                       rung_names(stage));
     }
     if (id.empty()) id = ladder->exercise;
   }
@@ -81,7 +87,8 @@ std::vector<Exercise> chosen_exercises(const Stage& stage, const RunSettings& se
     if (id.empty() || exercise.id == id) chosen.push_back(exercise);
     known += (known.empty() ? "" : ", ") + exercise.id;
   }
-  if (chosen.empty() && !id.empty()) throw UsageError("--exercise " + id + ": expected one of " + known);
+  if (chosen.empty() && !id.empty())
+    throw UsageError("--exercise " + id + ": expected one of " + known);
   return chosen;
 }
 
@@ -89,14 +96,16 @@ std::vector<Exercise> chosen_exercises(const Stage& stage, const RunSettings& se
 void run_timed(Run& run, const std::string& id, const std::function<void(Run&)>& what) {
   const auto start = std::chrono::steady_clock::now();
   what(run);
-  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  const std::chrono::duration<double, std::milli> elapsed =
+      std::chrono::steady_clock::now() - start;
   run.statistics()["milliseconds"][id] = elapsed.count();
 }
 
 /// The command line of a stage and what it asks for.
 class StageProgram {
  public:
-  explicit StageProgram(const Stage& stage) : stage_(stage), app_("RasterLab, stage " + stage.name) {
+  explicit StageProgram(const Stage& stage)
+      : stage_(stage), app_("RasterLab, stage " + stage.name) {
     app_.name(stage.name);
     app_.option_defaults()->always_capture_default(false);
     add_common_flags();
@@ -134,15 +143,17 @@ class StageProgram {
                         "), or one picture's file, whose extension chooses the format")
         ->type_name("DIR_OR_FILE");
     app_.add_option_function<std::string>(
-           "--size", [this](const std::string& text) { settings_.size = parse_size(text); },
-           "Picture size, where the exercise does not fix it")
+            "--size", [this](const std::string& text) { settings_.size = parse_size(text); },
+            "Picture size, where the exercise does not fix it")
         ->type_name("WxH");
     if (!stage_.ladders.empty()) {
-      app_.add_option("--algorithm", settings_.algorithm, "Only this rung of a ladder; 'list' names them, worst first")
+      app_.add_option("--algorithm", settings_.algorithm,
+                      "Only this rung of a ladder; 'list' names them, worst first")
           ->type_name("NAME");
     }
-    app_.add_flag("--stats", settings_.statistics,
-                  "Print one JSON object: times, counts of work done and of work skipped by reason");
+    app_.add_flag(
+        "--stats", settings_.statistics,
+        "Print one JSON object: times, counts of work done and of work skipped by reason");
     app_.add_flag("-q,--quiet", settings_.quiet, "Do not print a line per file written");
   }
 
@@ -154,7 +165,8 @@ class StageProgram {
     if (own != stage_.own_inputs.end()) {
       run_timed(run, "own_input", own->run);
     } else {
-      for (const Exercise& exercise : chosen_exercises(stage_, settings_)) run_timed(run, exercise.id, exercise.run);
+      for (const Exercise& exercise : chosen_exercises(stage_, settings_))
+        run_timed(run, exercise.id, exercise.run);
     }
     if (settings_.statistics) std::cout << run.statistics().dump(2) << std::endl;
   }

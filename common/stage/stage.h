@@ -1,4 +1,5 @@
-// What the seven executables share: the command line, the manifest, where results go, how errors end.
+// What the seven executables share: the command line, the manifest, where results go, how errors
+// end.
 //
 // A stage's main.cpp is a table of its exercises and a call of run_stage():
 //
@@ -37,8 +38,8 @@ struct Ladder {
   std::vector<Rung> rungs;
 };
 
-/// A further way to use a stage, as by `--lines FILE`: adds its flags, and runs instead of the exercises when its
-/// flags were given.
+/// A further way to use a stage, as by `--lines FILE`: adds its flags, and runs instead of the
+/// exercises when its flags were given.
 struct OwnInput {
   std::function<void(CLI::App&)> add_flags;
   std::function<bool()> given;
@@ -57,8 +58,9 @@ struct Stage {
 /// The stage's exercises.json, built into its executable.
 extern const char* const stage_manifest;
 
-/// Parses the command line and does what it says. Returns the exit status: 0 done, 1 bad input, 2 bad usage. Each error
-/// is one line on standard error, "NAME: message"; a failed check also leaves `backtrace_log.txt`.
+/// Parses the command line and does what it says. Returns the exit status: 0 done, 1 bad input, 2
+/// bad usage. Each error is one line on standard error, "NAME: message"; a failed check also leaves
+/// `backtrace_log.txt`.
 int run_stage(int argc, char** argv, const Stage& stage);
 
 }  // namespace rasterlab
