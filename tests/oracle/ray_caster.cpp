@@ -1,0 +1,302 @@
+#include "tests/oracle/ray_caster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace rasterlab::oracle {
+
+namespace {
+
+constexpr int leaf_size = 4;
+
+/// Where a ray enters and leaves a box: enter ≤ leave when it meets it.
+bool meets(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
+           const Eigen::Vector3d& direction, double limit) {
+  double enter = 0;
+  double leave = limit;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0) {
+      if (origin[axis] < box.min()[axis] || origin[axis] > box.max()[axis]) return false;
+      continue;
+    }
+    double a = (box.min()[axis] - origin[axis]) / direction[axis];
+    double b = (box.max()[axis] - origin[axis]) / direction[axis];
+    if (a > b) std::swap(a, b);
+    // Half a part in 10^12 wider, so that flat boxes are never missed by rounding.
+    enter = std::max(enter, a - 5e-13 * std::abs(a));
+    leave = std::min(leave, b + 5e-13 * std::abs(b));
+  }
+  return enter <= leave;
+}
+
+}  // namespace
+
+Eigen::Matrix4d look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& center,
+                        const Eigen::Vector3d& up) {
+  const Eigen::Vector3d back = (eye - center).normalized();
+  const Eigen::Vector3d right = up.cross(back).normalized();
+  Eigen::Matrix4d camera =
+      Eigen::Matrix4d::Identity();  // camera space to world: its axes and where it stands
+  camera.col(0).head<3>() = right;
+  camera.col(1).head<3>() = back.cross(right);
+  camera.col(2).head<3>() = back;
+  camera.col(3).head<3>() = eye;
+  return camera.inverse();
+}
+
+Eigen::Matrix4d perspective(double fovy, double aspect, double near, double far) {
+  const double half_height = std::tan(fovy * std::numbers::pi / 360);
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  matrix(0, 0) = 1 / (half_height * aspect);
+  matrix(1, 1) = 1 / half_height;
+  // z' = a z + b and w' = −z with z'/w' = −1 at z = −near, +1 at z = −far.
+  matrix(2, 2) = std::isinf(far) ? -1 : -(far + near) / (far - near);
+  matrix(2, 3) = std::isinf(far) ? -2 * near : -2 * far * near / (far - near);
+  matrix(3, 2) = -1;
+  return matrix;
+}
+
+Eigen::Matrix4d orthographic(double height, double aspect, double near, double far) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix(0, 0) = 2 / (height * aspect);
+  matrix(1, 1) = 2 / height;
+  matrix(2, 2) = -2 / (far - near);
+  matrix(2, 3) = -(far + near) / (far - near);
+  return matrix;
+}
+
+RayCaster::RayCaster(const Mesh& mesh, const Camera& camera, int width, int height, Cull cull)
+    : width_(width),
+      height_(height),
+      cull_(cull),
+      to_clip_(camera.to_clip()),
+      from_clip_(to_clip_.inverse()),
+      view_axis_(-(camera.view * camera.model).row(2)) {
+  faces_.reserve(mesh.triangles.size());
+  for (const Mesh::Triangle& triangle : mesh.triangles) {
+    std::array<Eigen::Vector3d, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]].cast<double>();
+    faces_.push_back(corners);
+  }
+  order_.resize(faces_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  if (!faces_.empty()) build(0, static_cast<int>(faces_.size()));
+}
+
+int RayCaster::build(int first, int count) {
+  const int index = static_cast<int>(nodes_.size());
+  nodes_.emplace_back();
+  Eigen::AlignedBox3d box;
+  Eigen::AlignedBox3d centers;
+  const auto center = [this](int face) {
+    const auto& corners = faces_[static_cast<std::size_t>(face)];
+    return Eigen::Vector3d((corners[0] + corners[1] + corners[2]) / 3);
+  };
+  const auto begin = order_.begin() + first;
+  for (auto face = begin; face != begin + count; ++face) {
+    for (const Eigen::Vector3d& corner : faces_[static_cast<std::size_t>(*face)])
+      box.extend(corner);
+    centers.extend(center(*face));
+  }
+  Node node{.box = box, .first = first, .count = count};
+  if (count > leaf_size) {
+    int axis = 0;
+    centers.sizes().maxCoeff(&axis);
+    std::nth_element(begin, begin + count / 2, begin + count,
+                     [&](int a, int b) { return center(a)[axis] < center(b)[axis]; });
+    node.left = build(first, count / 2);
+    node.right = build(first + count / 2, count - count / 2);
+    node.count = 0;
+  }
+  nodes_[static_cast<std::size_t>(index)] = node;
+  return index;
+}
+
+RayCaster::Ray RayCaster::ray(double x, double y) const {
+  const double ndc_x = 2 * x / width_ - 1;
+  const double ndc_y = 1 - 2 * y / height_;
+  const Eigen::Vector4d near = from_clip_ * Eigen::Vector4d(ndc_x, ndc_y, -1, 1);
+  const Eigen::Vector4d far = from_clip_ * Eigen::Vector4d(ndc_x, ndc_y, 1, 1);
+  const Eigen::Vector3d origin = near.head<3>() / near.w();
+  // With the far plane at infinity, far.w is 0 up to rounding and far.xyz a direction.
+  if (std::abs(far.w()) < 1e-12 * far.head<3>().norm()) {
+    return {origin, (far.head<3>() / near.w()).normalized(), Hit::nothing};
+  }
+  const Eigen::Vector3d way = far.head<3>() / far.w() - origin;
+  return {origin, way.normalized(), way.norm()};
+}
+
+bool RayCaster::is_culled(bool front) const {
+  return (cull_ == Cull::back && !front) || (cull_ == Cull::front && front);
+}
+
+double RayCaster::distance_of(const Eigen::Vector3d& point) const {
+  return view_axis_ * point.homogeneous();
+}
+
+/// Möller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997), without its tests
+/// of the outline.
+Hit RayCaster::intersect(const Ray& ray, int face) const {
+  const auto& [a, b, c] = faces_[static_cast<std::size_t>(face)];
+  const Eigen::Vector3d ab = b - a;
+  const Eigen::Vector3d ac = c - a;
+  const Eigen::Vector3d p = ray.direction.cross(ac);
+  const double determinant = ab.dot(p);
+  if (determinant == 0) return {};
+  const Eigen::Vector3d s = ray.origin - a;
+  const double u = s.dot(p) / determinant;
+  const Eigen::Vector3d q = s.cross(ab);
+  const double v = ray.direction.dot(q) / determinant;
+  const double t = ac.dot(q) / determinant;
+  Hit hit;
+  hit.face = face;
+  hit.weights = Eigen::Vector3d(1 - u - v, u, v);
+  hit.distance = distance_of(ray.origin + t * ray.direction);
+  hit.front = determinant > 0;
+  hit.ray_parameter = t;
+  return hit;
+}
+
+Hit RayCaster::cast_plane(double x, double y, int face) const {
+  return intersect(ray(x, y), face);
+}
+
+bool RayCaster::covers(double x, double y, int face) const {
+  const Ray line = ray(x, y);
+  const Hit hit = intersect(line, face);
+  return hit.face >= 0 && hit.weights.minCoeff() >= 0 && hit.ray_parameter >= 0 &&
+         hit.ray_parameter <= line.end && !is_culled(hit.front);
+}
+
+double RayCaster::plane_depth(double x, double y, int face) const {
+  const Ray line = ray(x, y);
+  const Hit hit = intersect(line, face);
+  if (hit.face < 0) return Hit::nothing;
+  const Eigen::Vector4d clip =
+      to_clip_ * (line.origin + hit.ray_parameter * line.direction).homogeneous();
+  return clip.z() / clip.w();
+}
+
+Hit RayCaster::cast(double x, double y) const {
+  Hit nearest;
+  if (nodes_.empty()) return nearest;
+  const Ray line = ray(x, y);
+  std::vector<int> open{0};
+  while (!open.empty()) {
+    const Node& node = nodes_[static_cast<std::size_t>(open.back())];
+    open.pop_back();
+    if (!meets(node.box, line.origin, line.direction, std::min(line.end, nearest.ray_parameter)))
+      continue;
+    if (node.count == 0) {
+      open.push_back(node.left);
+      open.push_back(node.right);
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const int face = order_[static_cast<std::size_t>(i)];
+      const Hit hit = intersect(line, face);
+      if (hit.face < 0 || hit.weights.minCoeff() < 0 || is_culled(hit.front)) continue;
+      if (hit.ray_parameter < 0 || hit.ray_parameter > line.end) continue;
+      const bool nearer = hit.ray_parameter < nearest.ray_parameter;
+      if (nearer || (hit.ray_parameter == nearest.ray_parameter && face < nearest.face))
+        nearest = hit;
+    }
+  }
+  return nearest;
+}
+
+double RayCaster::crossing_distance(double x, double y, int face, int other) const {
+  // Four steps of a float just below 1, what a vertex's depth can be off by after transformation
+  // and division.
+  constexpr double float_resolution = 0x1p-22;
+  const auto gap = [&](double at_x, double at_y) {
+    return plane_depth(at_x, at_y, face) - plane_depth(at_x, at_y, other);
+  };
+  const double here = gap(x, y);
+  if (std::abs(here) <= float_resolution) return 0;
+  const Eigen::Vector2d slope((gap(x + 0.25, y) - gap(x - 0.25, y)) / 0.5,
+                              (gap(x, y + 0.25) - gap(x, y - 0.25)) / 0.5);
+  return std::abs(here) / slope.norm();
+}
+
+/// The face's outline in the window: its corners, cut at the near plane.
+std::vector<RayCaster::WindowPoint> RayCaster::outline(int face) const {
+  std::array<Eigen::Vector4d, 3> clip;
+  const auto& corners = faces_[static_cast<std::size_t>(face)];
+  for (std::size_t i = 0; i < 3; ++i) clip[i] = to_clip_ * corners[i].homogeneous();
+  std::vector<WindowPoint> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const double inside = clip[i].z() + clip[i].w();
+    const double next_inside = clip[next].z() + clip[next].w();
+    const auto add = [&](const Eigen::Vector4d& p, const Eigen::Vector3d& in_space) {
+      const Eigen::Vector2d position((p.x() / p.w() + 1) * width_ / 2,
+                                     (1 - p.y() / p.w()) * height_ / 2);
+      points.push_back({position, distance_of(in_space)});
+    };
+    if (inside >= 0) add(clip[i], corners[i]);
+    if ((inside >= 0) != (next_inside >= 0)) {
+      const double t = inside / (inside - next_inside);
+      add(clip[i] + t * (clip[next] - clip[i]), corners[i] + t * (corners[next] - corners[i]));
+    }
+  }
+  return points;
+}
+
+/// Lowers the distances of the pixels within one pixel of the segment a–b.
+void RayCaster::splat_edge(const WindowPoint& a, const WindowPoint& b, const std::vector<Hit>& hits,
+                           std::vector<double>& distances) const {
+  const Eigen::Vector2d along = b.position - a.position;
+  const double top = std::min(a.position.y(), b.position.y());
+  const double bottom = std::max(a.position.y(), b.position.y());
+  const int first_row = static_cast<int>(std::clamp(std::floor(top - 1.5), 0.0, height_ - 1.0));
+  const int last_row = static_cast<int>(std::clamp(std::ceil(bottom + 0.5), 0.0, height_ - 1.0));
+  for (int y = first_row; y <= last_row; ++y) {
+    // The part of the segment between one pixel above and one below the row's centres.
+    double from = 0;
+    double to = 1;
+    if (along.y() != 0) {
+      const double t0 = (y + 0.5 - 1 - a.position.y()) / along.y();
+      const double t1 = (y + 0.5 + 1 - a.position.y()) / along.y();
+      from = std::clamp(std::min(t0, t1), 0.0, 1.0);
+      to = std::clamp(std::max(t0, t1), 0.0, 1.0);
+    }
+    const double x0 = a.position.x() + from * along.x();
+    const double x1 = a.position.x() + to * along.x();
+    const int left =
+        static_cast<int>(std::clamp(std::floor(std::min(x0, x1) - 1.5), 0.0, width_ - 1.0));
+    const int right =
+        static_cast<int>(std::clamp(std::ceil(std::max(x0, x1) + 0.5), 0.0, width_ - 1.0));
+    for (int x = left; x <= right; ++x) {
+      const Eigen::Vector2d center(x + 0.5, y + 0.5);
+      const double length = along.squaredNorm();
+      const double t =
+          length == 0 ? 0 : std::clamp((center - a.position).dot(along) / length, 0.0, 1.0);
+      const double distance = (center - (a.position + t * along)).norm();
+      const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                static_cast<std::size_t>(x);
+      if (distance > 1 || distance >= distances[pixel]) continue;
+      // Hidden: even the edge's nearer end is well behind what is seen here.
+      const bool hidden = std::min(a.distance, b.distance) > hits[pixel].distance * 1.001;
+      if (!hidden) distances[pixel] = distance;
+    }
+  }
+}
+
+std::vector<double> RayCaster::edge_distances() const {
+  std::vector<Hit> hits;
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) hits.push_back(cast(x + 0.5, y + 0.5));
+  }
+  std::vector<double> distances(hits.size(), Hit::nothing);
+  for (std::size_t face = 0; face < faces_.size(); ++face) {
+    const std::vector<WindowPoint> points = outline(static_cast<int>(face));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      splat_edge(points[i], points[(i + 1) % points.size()], hits, distances);
+    }
+  }
+  return distances;
+}
+
+}  // namespace rasterlab::oracle
