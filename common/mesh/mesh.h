@@ -9,21 +9,26 @@
 
 namespace rasterlab {
 
-/// Arrays of one entry per vertex, and triangles that index them. A vertex is split only where a seam needs it: corners
-/// that meet in a point with different texture coordinates, normals or colours are different vertices.
+/// Arrays of one entry per vertex, and triangles that index them. A vertex is split only where a
+/// seam needs it: corners that meet in a point with different texture coordinates, normals or
+/// colours are different vertices.
 struct Mesh {
   using Triangle = std::array<std::uint32_t, 3>;
 
-  std::vector<Eigen::Vector3f> positions;            ///< object space
-  std::vector<Eigen::Vector3f> normals;              ///< object space, unit length; empty or one per vertex
-  std::vector<Eigen::Vector3f> colors;               ///< red, green, blue in [0, 1]; empty or one per vertex
-  std::vector<Eigen::Vector2f> texture_coordinates;  ///< (u, v), v up; may leave [0, 1]; empty or one per vertex
-  std::vector<Triangle> triangles;                   ///< counter-clockwise seen from outside
+  std::vector<Eigen::Vector3f> positions;  ///< object space
+  std::vector<Eigen::Vector3f> normals;    ///< object space, unit length; empty or one per vertex
+  std::vector<Eigen::Vector3f> colors;     ///< red, green, blue in [0, 1]; empty or one per vertex
+  std::vector<Eigen::Vector2f>
+      texture_coordinates;          ///< (u, v), v up; may leave [0, 1]; empty or one per vertex
+  std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
 
   bool empty() const { return triangles.empty(); }
 };
 
 /// The box around all positions; of an empty mesh, an empty box.
 Eigen::AlignedBox3f bounding_box(const Mesh& mesh);
+
+/// For every vertex the first vertex with the same position: what a seam has split is one again.
+std::vector<std::uint32_t> join_by_position(const Mesh& mesh);
 
 }  // namespace rasterlab
