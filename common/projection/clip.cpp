@@ -1,0 +1,69 @@
+#include "common/projection/clip.h"
+
+namespace rasterlab {
+namespace {
+
+ClipPolygon whole(const ClipTriangle& triangle) {
+  return {{triangle[0], Eigen::Vector3f::UnitX()},
+          {triangle[1], Eigen::Vector3f::UnitY()},
+          {triangle[2], Eigen::Vector3f::UnitZ()}};
+}
+
+// Where the way from a to b meets a plane that is d_a and d_b away.
+ClipVertex cut(const ClipVertex& a, float d_a, const ClipVertex& b, float d_b) {
+  const float t = d_a / (d_a - d_b);
+  return {a.position + t * (b.position - a.position), a.weights + t * (b.weights - a.weights)};
+}
+
+float distance_to_near(const Eigen::Vector4f& p) {
+  return p.z() + p.w();
+}
+
+template <class Distance>
+ClipPolygon clip_at(const ClipPolygon& polygon, const Distance& distance) {
+  ClipPolygon inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ClipVertex& a = polygon[i];
+    const ClipVertex& b = polygon[(i + 1) % polygon.size()];
+    const float d_a = distance(a.position);
+    const float d_b = distance(b.position);
+    if (d_a >= 0) inside.push_back(a);
+    if (d_a >= 0 && !(d_b >= 0)) inside.push_back(cut(a, d_a, b, d_b));
+    if (!(d_a >= 0) && d_b >= 0) inside.push_back(cut(b, d_b, a, d_a));
+  }
+  return inside;
+}
+
+}  // namespace
+
+ClipPolygon clip_drop(const ClipTriangle& triangle, const Eigen::Vector2f& /*guard*/) {
+  for (const Eigen::Vector4f& corner : triangle) {
+    if (!(distance_to_near(corner) >= 0)) return {};
+  }
+  return whole(triangle);
+}
+
+ClipPolygon clip_near(const ClipTriangle& triangle, const Eigen::Vector2f& /*guard*/) {
+  const ClipPolygon polygon = whole(triangle);
+  ClipPolygon inside;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ClipVertex& a = polygon[i];
+    const ClipVertex& b = polygon[(i + 1) % 3];
+    const float d_a = distance_to_near(a.position);
+    const float d_b = distance_to_near(b.position);
+    if (d_a >= 0) inside.push_back(a);
+    if ((d_a >= 0) != (d_b >= 0)) inside.push_back(cut(a, d_a, b, d_b));
+  }
+  return inside;
+}
+
+ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f& guard) {
+  using Point = Eigen::Vector4f;
+  ClipPolygon polygon = clip_at(whole(triangle), distance_to_near);
+  polygon = clip_at(polygon, [&](const Point& p) { return guard.x() * p.w() + p.x(); });
+  polygon = clip_at(polygon, [&](const Point& p) { return guard.x() * p.w() - p.x(); });
+  polygon = clip_at(polygon, [&](const Point& p) { return guard.y() * p.w() + p.y(); });
+  return clip_at(polygon, [&](const Point& p) { return guard.y() * p.w() - p.y(); });
+}
+
+}  // namespace rasterlab

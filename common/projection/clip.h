@@ -1,0 +1,62 @@
+// Exercise 04.9, a ladder: what to do with triangles that reach behind the eye, where the division
+// by w would wrap them round to the other side of the picture.
+//
+// Clipping happens in homogeneous clip space, before the division, where lines and planes are still
+// what they were. The visible side of the near plane is z ≥ −w.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace rasterlab {
+
+/// A corner of what is left of a triangle.
+struct ClipVertex {
+  Eigen::Vector4f position;  ///< clip space
+  Eigen::Vector3f weights;   ///< which part of each corner of the whole triangle it has; sum to 1
+};
+
+/// A convex polygon, its corners in the triangle's order; empty where nothing is left, else 3 to 8.
+using ClipPolygon = std::vector<ClipVertex>;
+using ClipTriangle = std::array<Eigen::Vector4f, 3>;
+
+/// How far |x/w| and |y/w| of a picture's triangles may go without clipping: max(32768 / side − 1,
+/// 1), so that window coordinates stay within half of the ±32768 pixels in which coverage is exact,
+/// or within the picture itself, whose own edges are at 1. Throws CheckError for a picture without
+/// pixels or wider or higher than 32767.
+Eigen::Vector2f guard_band(int width, int height);
+
+/// One rung: what of the triangle is in front of the near plane. A triangle that is wholly in front
+/// and within the guard band stays as it is. Any floats are allowed, w ≤ 0, infinities and NaN
+/// included; what cannot be clipped to anything finite leaves nothing.
+using ClipFunction = ClipPolygon (*)(const ClipTriangle& triangle, const Eigen::Vector2f& guard);
+
+/// Leaves out every triangle that has a corner behind the near plane. Ignores the guard band.
+ClipPolygon clip_drop(const ClipTriangle& triangle, const Eigen::Vector2f& guard);
+
+/// Cuts at the near plane, going round the triangle and computing each cut from the corner it comes
+/// from to the one it goes to. Ignores the guard band.
+ClipPolygon clip_near(const ClipTriangle& triangle, const Eigen::Vector2f& guard);
+
+/// Cuts at the near plane, then where x/w and y/w leave the guard band (which also removes all that
+/// is left with w < 0), plane after plane in the order z ≥ −w, x ≥ −gw, x ≤ gw, y ≥ −gw, y ≤ gw
+/// (Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17, 1974; Blinn and Newell,
+/// "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978). All in single precision. With d = z +
+/// w, or g·w ± x, or g·w ± y, the point of the cut is a + t · (b − a), t = d_a / (d_a − d_b),
+/// always from the corner inside (d ≥ 0) to the one outside: so two triangles that share an edge
+/// get the same point, to the last bit, and leave neither gap nor double. Weights are cut with the
+/// same t.
+ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f& guard);
+
+/// The ladder, worst first.
+struct ClipRung {
+  std::string name;
+  std::string known_fault;
+  ClipFunction clip;
+};
+const std::vector<ClipRung>& clip_ladder();
+
+}  // namespace rasterlab

@@ -1,0 +1,35 @@
+#include "common/image/check.h"
+#include "common/projection/clip.h"
+#include "common/triangles/fixed_point.h"
+
+#include <algorithm>
+#include <string>
+
+namespace rasterlab {
+
+Eigen::Vector2f guard_band(int width, int height) {
+  constexpr int longest = static_cast<int>(max_coordinate) - 1;
+  if (width < 1 || height < 1 || width > longest || height > longest) {
+    throw CheckError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                     " pixels cannot be drawn: sides are 1 to " + std::to_string(longest));
+  }
+  // Half of the range in which coverage is exact; the other half is left to rounding.
+  const auto band = [](int side) {
+    return std::max(static_cast<float>(max_coordinate) / static_cast<float>(side) - 1, 1.0F);
+  };
+  return {band(width), band(height)};
+}
+
+const std::vector<ClipRung>& clip_ladder() {
+  static const std::vector<ClipRung> ladder = {
+      {"drop", "holes: a triangle that reaches behind the eye is missing as a whole", &clip_drop},
+      {"near",
+       "neighbours cut their shared edge from opposite ends and may disagree in the last bit; what "
+       "reaches far beyond the picture is lost",
+       &clip_near},
+      {"homogeneous", "none", &clip_homogeneous},
+  };
+  return ladder;
+}
+
+}  // namespace rasterlab

@@ -1,0 +1,3 @@
+#include "common/viewer/viewer.h"
+
+namespace rasterlab {}
