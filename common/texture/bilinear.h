@@ -1,0 +1,58 @@
+// Exercise 06.4, second rung: four texels, blended.
+#pragma once
+
+#include "common/texture/footprint.h"
+#include "common/texture/texture.h"
+#include "common/texture/wrap.h"
+
+namespace rasterlab {
+
+/// The two texels along one axis whose centres a point lies between, and how far it is from the
+/// first to the second.
+template <class Number>
+struct TexelPair {
+  Number first;
+  Number second;
+  Number part;
+};
+
+template <class Number>
+TexelPair<Number> texel_pair(const Number& coordinate, const Number& size, Wrap wrap) {
+  const Number from_center = wrap_coordinate(coordinate, wrap) * size - Number(0.5F);
+  const Number first = round_down(from_center);
+  return {wrap_neighbor(first, size, wrap), wrap_neighbor(Number(first + Number(1)), size, wrap),
+          from_center - first};
+}
+
+/// a + part · (b − a): where a and b are equal, exactly that.
+template <class Number>
+Vector3<Number> blend(const Vector3<Number>& a, const Vector3<Number>& b, const Number& part) {
+  return {a.x() + part * (b.x() - a.x()), a.y() + part * (b.y() - a.y()),
+          a.z() + part * (b.z() - a.z())};
+}
+
+/// The colour, in [0, 1], at (u, v) of one level, linear in u and in v between the centres of
+/// texels. At the edges the neighbour is what `wrap` says: repeat blends with the opposite edge,
+/// clamp and mirror keep the edge's own colour. Cost: four texels.
+template <class Number>
+Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
+                                  const Number& level_index) {
+  const auto level = texture.level(level_index);
+  const auto column = texel_pair(uv.x(), level.width, wrap);
+  const auto row = texel_pair(uv.y(), level.height, wrap);
+  const Vector3<Number> lower = blend(texture.texel(level, column.first, row.first),
+                                      texture.texel(level, column.second, row.first), column.part);
+  const Vector3<Number> upper = blend(texture.texel(level, column.first, row.second),
+                                      texture.texel(level, column.second, row.second), column.part);
+  return blend(lower, upper, row.part) / Number(255);
+}
+
+/// bilinear_in_level() of level 0: smooth near by. The footprint's size still counts for nothing:
+/// far off, a pixel blends four of the many texels it sees, which sparkles.
+template <class Number>
+Vector3<Number> sample_bilinear(const Texture& texture, Wrap wrap,
+                                const Footprint<Number>& footprint) {
+  return bilinear_in_level(texture, wrap, footprint.uv, Number(0));
+}
+
+}  // namespace rasterlab

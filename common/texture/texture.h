@@ -1,0 +1,77 @@
+// A picture laid on a surface, with its smaller copies.
+#pragma once
+
+#include "common/image/image.h"
+#include "common/image/number.h"
+#include "common/image/pixel.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace rasterlab {
+
+/// Whether a texture also holds its smaller copies, which only some filters read.
+enum class MipLevels { none, all };
+
+/// A picture over the unit square of (u, v), v up: (0, 0) is its lower left corner, (1, 1) its
+/// upper right one. Level 0 is the picture; each further level has half the sides, rounded down, to
+/// 1 × 1, each texel the mean of the area it stands for. Sixteen levels at the most.
+///
+/// Texels are packed in 32 bits, all levels in one array, each level's rows from the bottom up:
+/// what a SIMD gather can read. Computed on any Number (common/image/number.h).
+class Texture {
+ public:
+  static constexpr int max_levels = 16;
+
+  /// Throws CheckError when the image is empty.
+  explicit Texture(const Image<Rgb8>& image, MipLevels levels = MipLevels::all);
+
+  int width() const { return static_cast<int>(widths_[0]); }
+  int height() const { return static_cast<int>(heights_[0]); }
+  int level_count() const { return level_count_; }
+
+  /// One level, or one per lane.
+  template <class Number>
+  struct Level {
+    Number width;   ///< in texels
+    Number height;  ///< in texels
+    Whole<Number> stride;
+    Whole<Number> first;
+  };
+
+  /// `index` is a whole number from 0 to level_count() − 1.
+  template <class Number>
+  Level<Number> level(const Number& index) const {
+    const Number width = gather(widths_, index);
+    return {width, gather(heights_, index), to_whole(width),
+            to_whole(gather(blocks_, index)) * to_whole(Number(texels_per_block))};
+  }
+
+  /// A texel of a level: red, green, blue from 0 to 255. `column` from the left and `row` from the
+  /// bottom are whole numbers, 0 ≤ column < width and 0 ≤ row < height.
+  template <class Number>
+  Vector3<Number> texel(const Level<Number>& level, const Number& column, const Number& row) const {
+    return gather_texel(texels_.data(),
+                        level.first + to_whole(row) * level.stride + to_whole(column));
+  }
+
+ private:
+  void append_level(const Image<Color>& image);
+
+  static constexpr int texels_per_block = 64;
+
+  // Sizes and places are kept as floats, for gather(); a place is counted in blocks, so that it
+  // stays exact.
+  std::array<float, max_levels> widths_{};
+  std::array<float, max_levels> heights_{};
+  std::array<float, max_levels> blocks_{};
+  int level_count_ = 0;
+  std::vector<std::uint32_t> texels_;
+};
+
+/// The image at half the sides, rounded down but at least 1: each pixel the mean of the area it
+/// stands for, pixels that area cuts through counted by the part inside.
+Image<Color> halved(const Image<Color>& image);
+
+}  // namespace rasterlab
