@@ -64,6 +64,16 @@ struct Fragment {
   Mask<Number> discarded;  ///< whether not to draw
 };
 
+/// What either kind of shader returns, as a Fragment.
+template <class Number>
+Fragment<Number> to_fragment(const Fragment<Number>& fragment) {
+  return fragment;
+}
+template <class Number>
+Fragment<Number> to_fragment(const Vector3<Number>& color) {
+  return {color, Number(1) < Number(0)};
+}
+
 /// Whether `Shader` can shade as many pixels at once as a `Number` has lanes.
 template <class Shader, class Number>
 concept ShadesNumbers = requires(const Shader& shader,

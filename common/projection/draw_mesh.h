@@ -37,7 +37,8 @@ struct Transforms {
 
 /// What became of a mesh's triangles and of the pixels they cover.
 struct DrawCounts : TriangleCounts {
-  std::int64_t hidden = 0;  ///< pixels covered, but behind what was there or as far
+  std::int64_t hidden = 0;     ///< pixels covered, but behind what was there or as far
+  std::int64_t discarded = 0;  ///< pixels that shading refused
 };
 
 /// a0 + (b1 (a1 − a0) + b2 (a2 − a0)): a corner value at a pixel; where all are equal, exactly
@@ -50,7 +51,8 @@ Value interpolate(const std::array<Value, 3>& corners, const CornerWeights<float
 
 /// Draws every triangle of the mesh, in order, into `frame`, smaller depth winning and the earlier
 /// triangle where equal. `shade(triangle, pixel)`, of the triangle's index and a TrianglePixel,
-/// gives the Color of each pixel that is nearer than what was there.
+/// gives the Color of each pixel that is nearer than what was there, or a Fragment, which leaves
+/// the pixel as it was where it is discarded.
 template <class Shade>
 DrawCounts draw_mesh(const Mesh& mesh, const Transforms& transforms, Cull cull, Frame& frame,
                      Shade&& shade) {
@@ -73,8 +75,13 @@ DrawCounts draw_mesh(const Mesh& mesh, const Transforms& transforms, Cull cull, 
                        ++counts.hidden;
                        return;
                      }
+                     const Fragment<float> fragment = to_fragment(shade(triangle, pixel));
+                     if (fragment.discarded) {
+                       ++counts.discarded;
+                       return;
+                     }
                      nearest = pixel.depth;
-                     frame.color.row(pixel.y)[pixel.x] = to_rgb8(shade(triangle, pixel));
+                     frame.color.row(pixel.y)[pixel.x] = to_rgb8(fragment.color);
                      if (!frame.distance.empty()) {
                        frame.distance.row(pixel.y)[pixel.x] = interpolate(distances, pixel.weights);
                      }
