@@ -36,8 +36,9 @@ std::size_t checked_pixel_count(int width, int height) {
 }
 
 void throw_outside(int x, int y, int width, int height) {
-  throw CheckError("pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is outside the image of " +
-                   std::to_string(width) + "x" + std::to_string(height) + " pixels");
+  throw CheckError("pixel (" + std::to_string(x) + ", " + std::to_string(y) +
+                   ") is outside the image of " + std::to_string(width) + "x" +
+                   std::to_string(height) + " pixels");
 }
 
 }  // namespace rasterlab

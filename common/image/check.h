@@ -8,8 +8,8 @@
 
 namespace rasterlab {
 
-/// A broken contract. Holds the call stack of the place that broke it, which an executable writes to
-/// `backtrace_log.txt` (common/stage).
+/// A broken contract. Holds the call stack of the place that broke it, which an executable writes
+/// to `backtrace_log.txt` (common/stage).
 class CheckError : public std::logic_error {
  public:
   explicit CheckError(const std::string& message);
@@ -22,17 +22,19 @@ class CheckError : public std::logic_error {
   std::shared_ptr<const Stack> stack_;
 };
 
-/// Bad input: a file, argument or record that is not what it should be. The message names it, the place in it and what
-/// was expected.
+/// Bad input: a file, argument or record that is not what it should be. The message names it, the
+/// place in it and what was expected.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// No image holds more pixels: an absurd size in a file header is refused before anything is allocated.
+/// No image holds more pixels: an absurd size in a file header is refused before anything is
+/// allocated.
 inline constexpr std::size_t max_pixel_count = std::size_t{1} << 28;
 
-/// width · height. Throws CheckError when a side is negative or the product exceeds `max_pixel_count`.
+/// width · height. Throws CheckError when a side is negative or the product exceeds
+/// `max_pixel_count`.
 std::size_t checked_pixel_count(int width, int height);
 
 /// Throws CheckError: "pixel (x, y) is outside the image of width x height pixels".

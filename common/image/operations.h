@@ -1,48 +1,66 @@
-// What one does to a whole picture: turn it over, change its size, change its kind of pixel.
+// What one does to a whole picture: turn it over, change its size, show numbers as grey.
 #pragma once
 
 #include "common/image/image.h"
-#include "common/image/pixel.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 namespace rasterlab {
 
 /// The first column becomes the last.
 template <class Pixel>
-Image<Pixel> flipped_horizontally(const Image<Pixel>& image);
+Image<Pixel> flipped_horizontally(const Image<Pixel>& image) {
+  Image<Pixel> result = image;
+  for (int y = 0; y < image.height(); ++y) {
+    std::reverse(result.row(y), result.row(y) + image.width());
+  }
+  return result;
+}
 
 /// The top row becomes the bottom one.
 template <class Pixel>
-Image<Pixel> flipped_vertically(const Image<Pixel>& image);
+Image<Pixel> flipped_vertically(const Image<Pixel>& image) {
+  Image<Pixel> result = image;
+  for (int y = 0; y < image.height(); ++y) {
+    std::copy_n(image.row(y), image.width(), result.row(image.height() - 1 - y));
+  }
+  return result;
+}
+
+/// The picture at another size, larger or smaller: each new pixel is the old one its centre falls
+/// into, none is mixed. Throws CheckError when a side is negative, or an empty picture is to become
+/// one that is not.
+template <class Pixel>
+Image<Pixel> resized(const Image<Pixel>& image, int width, int height) {
+  if (checked_pixel_count(width, height) == 0) return Image<Pixel>(width, height);
+  if (image.empty()) throw CheckError("an empty image cannot be resized to one with pixels");
+  // The centre (x + 1/2) · old / new, rounded down in integers.
+  const auto source = [](int i, int from, int to) {
+    return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{to}));
+  };
+  Image<Pixel> result(width, height, image(0, 0));
+  for (int y = 0; y < height; ++y) {
+    const Pixel* from = image.row(source(y, image.height(), height));
+    for (int x = 0; x < width; ++x) result.row(y)[x] = from[source(x, image.width(), width)];
+  }
+  return result;
+}
 
 /// Every pixel becomes a block of factor × factor. Throws CheckError for factor < 1.
 template <class Pixel>
-Image<Pixel> enlarged(const Image<Pixel>& image, int factor);
+Image<Pixel> enlarged(const Image<Pixel>& image, int factor) {
+  if (factor < 1)
+    throw CheckError("an image is enlarged by 1 or more, not " + std::to_string(factor));
+  return resized(image, image.width() * factor, image.height() * factor);
+}
 
-/// The picture at another size, larger or smaller: each pixel is the one its centre falls into,
-/// none is mixed. Throws CheckError when a side is negative, or an empty picture is to become one
-/// that is not.
-template <class Pixel>
-Image<Pixel> resized(const Image<Pixel>& image, int width, int height);
-
-/// The same picture in another kind of pixel, each of files.h's AnyImage.
-/// - Between 8 bit, 16 bit and float, 1 of the one is 255 of the other and 65535 of the third; to
-/// integers, values are
-///   rounded to nearest, those outside [0, 1] clamped and NaN becomes 0. float to float keeps every
-///   value.
-/// - Colour to grey is 0.299 r + 0.587 g + 0.114 b (ITU-R BT.601, of the stored values), and
-/// exactly r where all are
-///   equal.
-/// - Grey to colour repeats the value; alpha that is not there is opaque; alpha is dropped without
-/// blending.
-template <class To, class From>
-Image<To> convert(const Image<From>& image);
-
-/// Shows numbers as grey: `black` and what is beyond it becomes 0, `white` and what is beyond it
-/// 255, linear between; either may be the larger. NaN becomes 0. For a depth picture with near
-/// things bright: grey_picture(depth, far, near).
+/// Shows numbers as grey: `black` becomes 0 and `white` 255, linear between, what lies beyond
+/// either is clamped to it, NaN becomes 0; either may be the larger. A depth picture with near
+/// things bright: grey_picture(depth, far, near). Throws CheckError when `black` and `white` are
+/// equal or not finite.
 Image<std::uint8_t> grey_picture(const Image<float>& values, float black, float white);
 
 /// The least and the greatest of the values that are finite; {0, 0} where none is.
