@@ -29,6 +29,20 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What stands in a starter where an answer should be: `throw NotWritten("01.6", from, to);`.
+class NotWritten : public std::logic_error {
+ public:
+  /// `given` are the parameters of the function, which a body that is not written would leave unused.
+  template <class... Given>
+  explicit NotWritten(const std::string& exercise, const Given&...)
+      : std::logic_error("exercise " + exercise + " is not written yet"), exercise_(exercise) {}
+
+  const std::string& exercise() const { return exercise_; }
+
+ private:
+  std::string exercise_;
+};
+
 /// No image holds more pixels: an absurd size in a file header is refused before anything is
 /// allocated.
 inline constexpr std::size_t max_pixel_count = std::size_t{1} << 28;
