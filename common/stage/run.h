@@ -67,8 +67,10 @@ class Run {
 
   const RunSettings& settings() const { return settings_; }
 
- private:
+  /// Whether --out names a file, not a folder.
   bool out_is_file() const;
+
+ private:
   std::filesystem::path claim(const std::string& file_name);
 
   RunSettings settings_;

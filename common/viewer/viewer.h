@@ -47,7 +47,7 @@ struct View {
   Light light;  ///< in the world
 };
 
-/// Draws a frame, which was cleared before. Returns what --stats shows under "counts": work done,
+/// Draws a frame, over whatever was in it. Returns what --stats shows under "counts": work done,
 /// and work skipped by reason.
 using DrawFrame = std::function<nlohmann::json(const View& view, Frame& frame)>;
 
