@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include <Eigen/Dense>
+#include <nlohmann/json.hpp>
 
 namespace rasterlab {
 
@@ -40,6 +41,9 @@ struct DrawCounts : TriangleCounts {
   std::int64_t hidden = 0;     ///< pixels covered, but behind what was there or as far
   std::int64_t discarded = 0;  ///< pixels that shading refused
 };
+
+/// As --stats shows them.
+nlohmann::json statistics(const DrawCounts& counts);
 
 /// a0 + (b1 (a1 − a0) + b2 (a2 − a0)): a corner value at a pixel; where all are equal, exactly
 /// that.

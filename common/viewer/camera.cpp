@@ -31,15 +31,15 @@ Eigen::Matrix3f rotation(const Eigen::Vector3f& axis, float angle) {
   return Eigen::AngleAxisf(angle, axis.stableNormalized()).toRotationMatrix();
 }
 
-// How far from the centre the eye must be for the box to be seen whole, with a little air around.
+// How far from the centre the eye must be for all to be seen, with a little air around.
 float fitting_distance(const Camera& camera, const Stand& stand) {
   constexpr float air = 1.05F;
   const float tangent = std::tan(camera.fovy * std::numbers::pi_v<float> / 360);
   const float aspect = static_cast<float>(stand.size.width) / static_cast<float>(stand.size.height);
   const Eigen::Matrix4f view = look_at(camera.eye, camera.center, camera.up);
   float distance = 0;
-  for (const Eigen::Vector3f& corner : corners(stand.box)) {
-    const Eigen::Vector3f seen = view.topLeftCorner<3, 3>() * (corner - camera.center);
+  for (const Eigen::Vector3f& point : stand.points) {
+    const Eigen::Vector3f seen = view.topLeftCorner<3, 3>() * (point - camera.center);
     const float sideways = std::max(std::abs(seen.x()) / aspect, std::abs(seen.y()));
     distance = std::max(distance, seen.z() + air * sideways / tangent);
   }

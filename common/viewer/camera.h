@@ -7,6 +7,7 @@
 #include "common/stage/run.h"
 
 #include <optional>
+#include <span>
 
 #include <Eigen/Dense>
 
@@ -25,7 +26,8 @@ struct CameraWishes {
 
 /// What is to be seen: the world's part and the picture's size.
 struct Stand {
-  Eigen::AlignedBox3f box;  ///< not empty
+  Eigen::AlignedBox3f box;                  ///< around all of it; not empty
+  std::span<const Eigen::Vector3f> points;  ///< that are to be seen, as the mesh's vertices
   Size size;
 };
 
@@ -47,9 +49,10 @@ CameraWishes camera_of(const Scene& scene);
 CameraWishes merged(const CameraWishes& over, const CameraWishes& under);
 
 /// The camera wished for. What was not said: up is y; the centre is the box's; the eye is in front,
-/// to the right and above, far enough that the box is seen whole from each of `turns` places evenly
-/// around it; perspective of 40°. Throws UsageError for what no camera can be: eye and centre the
-/// same, a field of view not between 0 and 180, near planes that are not nearer than far ones.
+/// to the right and above, far enough that all points are seen from each of `turns` places evenly
+/// around the centre; perspective of 40°. Throws UsageError for what no camera can be: eye and
+/// centre the same, a field of view not between 0 and 180, near planes that are not nearer than far
+/// ones.
 Camera make_camera(const CameraWishes& wishes, const Stand& stand, int turns);
 
 /// The camera carried round its centre about `up` by an angle in radians, counter-clockwise seen

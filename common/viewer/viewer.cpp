@@ -135,7 +135,7 @@ class Viewing {
         run_(run),
         scene_(flags.scene.empty() ? std::nullopt : std::optional(read_scene(flags.scene))),
         subject_(load_subject(flags, options, scene_)),
-        stand_{box_of(subject_.mesh),
+        stand_{box_of(subject_.mesh), subject_.mesh.positions,
                run.size(scene_ ? Size{scene_->width, scene_->height} : Size{640, 480})},
         camera_(make_camera(merged(flags.camera, scene_ ? camera_of(*scene_) : CameraWishes{}),
                             stand_, camera_turns() ? flags.frames : 1)),
