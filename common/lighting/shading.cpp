@@ -1,0 +1,80 @@
+#include "common/lighting/shading.h"
+
+#include "common/lighting/surface_lighting.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace rasterlab {
+namespace {
+
+SurfaceSample interpolate(const std::array<SurfaceSample, 3>& corners,
+                          const CornerWeights<float>& weights) {
+  const auto mix = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                       const Eigen::Vector3f& c) {
+    return rasterlab::interpolate<Eigen::Vector3f>({a, b, c}, weights);
+  };
+  const auto& [a, b, c] = corners;
+  return {mix(a.position, b.position, c.position),
+          mix(a.normal, b.normal, c.normal).stableNormalized(), mix(a.color, b.color, c.color)};
+}
+
+// Calls make(triangle) when a triangle's first pixel is drawn, and keeps what it gave for the
+// others.
+template <class Value, class Make>
+auto once_a_triangle(const Make& make) {
+  return [make, value = Value{}, of = -1LL](std::uint32_t triangle) mutable -> const Value& {
+    if (of != triangle) {
+      value = make(triangle);
+      of = triangle;
+    }
+    return value;
+  };
+}
+
+}  // namespace
+
+DrawCounts shade_flat(const LitMesh& lit_mesh, Frame& frame) {
+  const SurfaceLighting lighting(lit_mesh);
+  auto color = once_a_triangle<Color>(
+      [&](std::uint32_t triangle) { return lighting.light(lighting.face(triangle)); });
+  return draw_mesh(lit_mesh.mesh, lit_mesh.transforms, lit_mesh.cull, frame,
+                   [&](std::uint32_t triangle, const TrianglePixel&) { return color(triangle); });
+}
+
+DrawCounts shade_gouraud(const LitMesh& lit_mesh, Frame& frame) {
+  const SurfaceLighting lighting(lit_mesh);
+  auto colors = once_a_triangle<std::array<Color, 3>>([&](std::uint32_t triangle) {
+    const std::array<SurfaceSample, 3> corners = lighting.corners(triangle);
+    return std::array<Color, 3>{lighting.light(corners[0]), lighting.light(corners[1]),
+                                lighting.light(corners[2])};
+  });
+  return draw_mesh(lit_mesh.mesh, lit_mesh.transforms, lit_mesh.cull, frame,
+                   [&](std::uint32_t triangle, const TrianglePixel& pixel) {
+                     return interpolate(colors(triangle), pixel.weights);
+                   });
+}
+
+DrawCounts shade_phong(const LitMesh& lit_mesh, Frame& frame) {
+  const SurfaceLighting lighting(lit_mesh);
+  auto corners = once_a_triangle<std::array<SurfaceSample, 3>>(
+      [&](std::uint32_t triangle) { return lighting.corners(triangle); });
+  return draw_mesh(lit_mesh.mesh, lit_mesh.transforms, lit_mesh.cull, frame,
+                   [&](std::uint32_t triangle, const TrianglePixel& pixel) {
+                     return lighting.light(interpolate(corners(triangle), pixel.weights));
+                   });
+}
+
+const std::vector<ShadingRung>& shading_ladder() {
+  static const std::vector<ShadingRung> ladder = {
+      {"flat", "every face is seen as one: edges show, more than they should (Mach bands)",
+       &shade_flat},
+      {"gouraud", "highlights smaller than a face are lost or jump from vertex to vertex",
+       &shade_gouraud},
+      {"phong", "none, but for what interpolated normals can say of a surface", &shade_phong},
+  };
+  return ladder;
+}
+
+}  // namespace rasterlab

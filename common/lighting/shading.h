@@ -1,0 +1,62 @@
+// Exercise 05.5, a ladder: how often the light is computed: once a face, once a vertex, once a
+// pixel.
+#pragma once
+
+#include "common/image/pixel.h"
+#include "common/lighting/blinn_phong.h"
+#include "common/lighting/phong.h"
+#include "common/mesh/mesh.h"
+#include "common/projection/draw_mesh.h"
+#include "common/projection/frame.h"
+#include "common/projection/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace rasterlab {
+
+enum class ReflectionModel { phong, blinn_phong };
+
+/// A mesh in a light. The mesh has normals, one per vertex.
+struct LitMesh {
+  const Mesh& mesh;
+  Transforms transforms;
+  Light light;  ///< in the world
+  Material material;
+  std::optional<Color> color = std::nullopt;  ///< not given: the mesh's colours, else light grey
+  ReflectionModel model = ReflectionModel::phong;
+  Cull cull = Cull::none;
+};
+
+/// One rung: draws the mesh, nearest triangles winning. Positions, normals and directions are those
+/// of the world; normals move by normal_matrix() of the model. Nothing is lit from behind: a
+/// surface turned away from the light gets ambient light alone. Throws CheckError when the mesh has
+/// no normals where it needs them.
+using ShadeFunction = DrawCounts (*)(const LitMesh& lit_mesh, Frame& frame);
+
+/// One colour for each face, from the face's own normal, at its centroid, with the mean of its
+/// corners' colours. Needs no vertex normals.
+DrawCounts shade_flat(const LitMesh& lit_mesh, Frame& frame);
+
+/// Lit at the corners, with their normals, and the colours interpolated: H. Gouraud, "Continuous
+/// Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
+DrawCounts shade_gouraud(const LitMesh& lit_mesh, Frame& frame);
+
+/// Lit at every pixel: position, normal and colour are interpolated, and the normal made a unit
+/// vector again: B. T. Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975.
+DrawCounts shade_phong(const LitMesh& lit_mesh, Frame& frame);
+
+/// The ladder, worst first.
+///
+/// Source: B.gouraud, A.Q34, C.4.
+struct ShadingRung {
+  std::string name;
+  std::string known_fault;
+  ShadeFunction shade;
+};
+const std::vector<ShadingRung>& shading_ladder();
+
+}  // namespace rasterlab

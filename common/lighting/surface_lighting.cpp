@@ -1,0 +1,60 @@
+#include "common/lighting/surface_lighting.h"
+
+#include "common/image/check.h"
+#include "common/lighting/reflection.h"
+#include "common/projection/eye.h"
+#include "common/projection/normal_matrix.h"
+
+namespace rasterlab {
+namespace {
+
+const Color light_grey = Color::Constant(0.75F);
+
+}  // namespace
+
+SurfaceLighting::SurfaceLighting(const LitMesh& lit_mesh)
+    : lit_mesh_(lit_mesh),
+      normal_matrix_(normal_matrix(lit_mesh.transforms.model)),
+      eye_(eye_of(lit_mesh.transforms)) {}
+
+Eigen::Vector3f SurfaceLighting::world_position(std::uint32_t vertex) const {
+  return (lit_mesh_.transforms.model * lit_mesh_.mesh.positions[vertex].homogeneous()).head<3>();
+}
+
+Color SurfaceLighting::vertex_color(std::uint32_t vertex) const {
+  if (lit_mesh_.color) return *lit_mesh_.color;
+  return lit_mesh_.mesh.colors.empty() ? light_grey : lit_mesh_.mesh.colors[vertex];
+}
+
+SurfaceSample SurfaceLighting::corner(std::uint32_t triangle, std::size_t corner) const {
+  const Mesh& mesh = lit_mesh_.mesh;
+  if (mesh.normals.empty()) throw CheckError("a mesh without normals can only be shaded flat");
+  const std::uint32_t vertex = mesh.triangles[triangle][corner];
+  return {world_position(vertex), transform_normal(normal_matrix_, mesh.normals[vertex]),
+          vertex_color(vertex)};
+}
+
+std::array<SurfaceSample, 3> SurfaceLighting::corners(std::uint32_t triangle) const {
+  return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+}
+
+SurfaceSample SurfaceLighting::face(std::uint32_t triangle) const {
+  const auto [a, b, c] = lit_mesh_.mesh.triangles[triangle];
+  const auto& positions = lit_mesh_.mesh.positions;
+  const Eigen::Vector3f normal =
+      (positions[b] - positions[a]).cross(positions[c] - positions[a]).stableNormalized();
+  return {(world_position(a) + world_position(b) + world_position(c)) / 3,
+          transform_normal(normal_matrix_, normal),
+          (vertex_color(a) + vertex_color(b) + vertex_color(c)) / 3};
+}
+
+Color SurfaceLighting::light(const SurfaceSample& sample) const {
+  const Eigen::Vector3f to_light = direction_to(lit_mesh_.light.position, sample.position);
+  const Eigen::Vector3f to_eye = direction_to(eye_, sample.position);
+  const auto reflect =
+      lit_mesh_.model == ReflectionModel::phong ? &phong<float> : &blinn_phong<float>;
+  return lit(sample.color,
+             reflect(sample.normal, to_light, to_eye, lit_mesh_.light, lit_mesh_.material));
+}
+
+}  // namespace rasterlab

@@ -1,0 +1,48 @@
+// A mesh's corners and faces in the world, ready to be lit: given.
+#pragma once
+
+#include "common/image/pixel.h"
+#include "common/lighting/shading.h"
+
+#include <array>
+#include <cstdint>
+
+#include <Eigen/Dense>
+
+namespace rasterlab {
+
+/// A point of a surface in the world.
+struct SurfaceSample {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;  ///< unit length, or zero where there is none
+  Color color;
+};
+
+/// Lights the points of one mesh.
+class SurfaceLighting {
+ public:
+  explicit SurfaceLighting(const LitMesh& lit_mesh);
+
+  /// Corner 0, 1 or 2 of a triangle with its vertex normal. Throws CheckError when the mesh has
+  /// none.
+  SurfaceSample corner(std::uint32_t triangle, std::size_t corner) const;
+
+  /// All three.
+  std::array<SurfaceSample, 3> corners(std::uint32_t triangle) const;
+
+  /// The centroid of a triangle, with the normal of the face and the mean of the corners' colours.
+  SurfaceSample face(std::uint32_t triangle) const;
+
+  /// The colour the eye sees.
+  Color light(const SurfaceSample& sample) const;
+
+ private:
+  Eigen::Vector3f world_position(std::uint32_t vertex) const;
+  Color vertex_color(std::uint32_t vertex) const;
+
+  const LitMesh& lit_mesh_;
+  Eigen::Matrix3f normal_matrix_;
+  Eigen::Vector4f eye_;
+};
+
+}  // namespace rasterlab
