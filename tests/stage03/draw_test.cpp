@@ -115,7 +115,7 @@ TEST(stage03_draw_depth_line, the_nearer_hides_in_any_order) {
 TEST(stage03_draw_depth_line, cut_off_in_depth_pixel_by_pixel) {
   Canvas canvas(9, 1);
   draw_depth_line(canvas.image, canvas.depth, {{0, 0}, -2, red}, {{8, 0}, 2, red});
-  EXPECT_TRUE(covers_exactly(canvas.image, {"..#####.."}))
+  EXPECT_TRUE(covers_exactly(canvas.image, {"..####..."}))
       << "from z = -2 to 2, only -1 ... 1 is drawn (z = 1 is no nearer than a cleared buffer)";
 }
 
