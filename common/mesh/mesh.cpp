@@ -26,12 +26,12 @@ Eigen::AlignedBox3f bounding_box(const Mesh& mesh) {
   return box;
 }
 
-std::vector<std::uint32_t> join_by_position(const Mesh& mesh) {
+std::vector<std::uint32_t> join_by_position(const std::vector<Eigen::Vector3f>& positions) {
   std::unordered_map<Eigen::Vector3f, std::uint32_t, PositionHash> first_at;
-  first_at.reserve(mesh.positions.size());
+  first_at.reserve(positions.size());
   std::vector<std::uint32_t> first;
-  first.reserve(mesh.positions.size());
-  for (const Eigen::Vector3f& position : mesh.positions) {
+  first.reserve(positions.size());
+  for (const Eigen::Vector3f& position : positions) {
     const auto vertex = static_cast<std::uint32_t>(first.size());
     first.push_back(first_at.try_emplace(position, vertex).first->second);
   }

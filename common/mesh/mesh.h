@@ -28,7 +28,7 @@ struct Mesh {
 /// The box around all positions; of an empty mesh, an empty box.
 Eigen::AlignedBox3f bounding_box(const Mesh& mesh);
 
-/// For every vertex the first vertex with the same position: what a seam has split is one again.
-std::vector<std::uint32_t> join_by_position(const Mesh& mesh);
+/// For every position the number of the first that equals it: what a seam has split is one again.
+std::vector<std::uint32_t> join_by_position(const std::vector<Eigen::Vector3f>& positions);
 
 }  // namespace rasterlab

@@ -29,7 +29,7 @@ std::vector<Eigen::Vector3f> face_normals(const Mesh& mesh) {
 
 std::vector<Eigen::Vector3f> angle_weighted_normals(const Mesh& mesh) {
   const std::vector<Eigen::Vector3f> of_face = face_normals(mesh);
-  const std::vector<std::uint32_t> joined = join_by_position(mesh);
+  const std::vector<std::uint32_t> joined = join_by_position(mesh.positions);
   std::vector<Eigen::Vector3f> sums(mesh.positions.size(), Eigen::Vector3f::Zero());
   std::vector<Eigen::Vector3f> first(mesh.positions.size(), Eigen::Vector3f::Zero());
   for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {

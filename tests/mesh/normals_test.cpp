@@ -45,7 +45,7 @@ TEST(stage01_normals, one_normal_across_a_seam) {
   for (std::size_t i = 0; i < normals.size(); ++i) {
     EXPECT_LT((normals[i] - sphere.normals[i]).norm(), 0.02F) << "at " << i;
   }
-  const auto joined = join_by_position(sphere);
+  const auto joined = join_by_position(sphere.positions);
   for (std::size_t i = 0; i < normals.size(); ++i) EXPECT_EQ(normals[i], normals[joined[i]]);
 }
 

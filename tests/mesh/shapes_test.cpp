@@ -24,7 +24,7 @@ void PrintTo(const Case& value, std::ostream* out) {
 
 /// Edges of the joined mesh, directed as the triangles go round: (from, to) → how often.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const Mesh& mesh) {
-  const auto joined = join_by_position(mesh);
+  const auto joined = join_by_position(mesh.positions);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& triangle : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -35,7 +35,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const Mesh
 }
 
 int euler_characteristic(const Mesh& mesh) {
-  const auto joined = join_by_position(mesh);
+  const auto joined = join_by_position(mesh.positions);
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const auto& [edge, count] : directed_edges(mesh)) {
     edges.insert({std::min(edge.first, edge.second), std::max(edge.first, edge.second)});
