@@ -1,3 +1,29 @@
+// Stage 03: what is in front of what. The order is that of the lab sheet, README.md.
 #include "common/stage/stage.h"
+#include "common/zbuffer/visibility.h"
 
-int main(int argc, char** argv) { return rasterlab::run_stage(argc, argv, {.name = "03_zbuffer", .exercises = {}}); }
+#include "03_zbuffer/figures.h"
+
+namespace {
+
+rasterlab::Ladder ladder() {
+  rasterlab::Ladder ladder{.exercise = "03.5", .rungs = {}};
+  for (const rasterlab::VisibilityRung& rung : rasterlab::visibility_ladder) {
+    ladder.rungs.push_back({rung.name, rung.known_fault});
+  }
+  return ladder;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace rasterlab;
+  return run_stage(argc, argv,
+                   {.name = "03_zbuffer",
+                    .exercises = {{"03.1", &show_depth_buffer},
+                                  {"03.2", &draw_points},
+                                  {"03.3", &draw_segments},
+                                  {"03.4", &draw_interpenetrating},
+                                  {"03.5", &draw_visibility_ladder}},
+                    .ladders = {ladder()}});
+}

@@ -37,4 +37,16 @@ int run_guarded(const std::string& program, const std::function<int()>& body) {
   }
 }
 
+bool parse_command_line(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + " (--help lists what there is)");
+  }
+  return true;
+}
+
 }  // namespace rasterlab

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 namespace rasterlab {
 
 /// A command line that asks for what is not there. Ends an executable with exit status 2.
@@ -17,5 +19,8 @@ class UsageError : public std::runtime_error {
 /// "PROGRAM: message", and the status 2 for UsageError, else 1. A failed check also leaves its call
 /// stack in `backtrace_log.txt`.
 int run_guarded(const std::string& program, const std::function<int()>& body);
+
+/// Parses a command line; false when it asked for help, which is then printed. Throws UsageError.
+bool parse_command_line(CLI::App& app, int argc, char** argv);
 
 }  // namespace rasterlab

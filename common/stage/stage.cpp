@@ -122,14 +122,7 @@ class StageProgram {
   }
 
   int run(int argc, char** argv) {
-    try {
-      app_.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-      std::cout << app_.help();
-      return 0;
-    } catch (const CLI::ParseError& error) {
-      throw UsageError(std::string(error.what()) + " (--help lists what there is)");
-    }
+    if (!parse_command_line(app_, argc, argv)) return 0;
     if (!app_.get_subcommands().empty()) return 0;  // a subcommand has run by its callback
     if (list_) {
       print_exercises(stage_);
