@@ -1,5 +1,6 @@
 #include "common/lines/bresenham.h"
 
+#include "common/image/check.h"
 #include "common/lines/swapped_columns.h"
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 namespace rasterlab {
 
 LineDiscrete line_bresenham(const Point& p0, const Point& p1) {
+  // <solution>
   const TurnedSegment segment = turn(p0, p1);
   const auto& [from, to, transposed] = segment;
   const std::int64_t columns = std::int64_t{to.x()} - from.x();
@@ -25,6 +27,8 @@ LineDiscrete line_bresenham(const Point& p0, const Point& p1) {
     }
   }
   return line;
+  // <starter> throw NotWritten("01.5", p0, p1);
+  // </solution>
 }
 
 }  // namespace rasterlab

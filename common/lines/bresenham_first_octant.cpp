@@ -7,6 +7,7 @@
 namespace rasterlab {
 
 LineDiscrete bresenham_first_octant(const Point& p0, const Point& p1, const StepRange& steps) {
+  // <solution>
   const std::int64_t columns = std::int64_t{p1.x()} - p0.x();
   const std::int64_t rows = std::int64_t{p1.y()} - p0.y();
   if (rows < 0 || rows > columns) throw CheckError("the segment is not in the first octant");
@@ -33,6 +34,8 @@ LineDiscrete bresenham_first_octant(const Point& p0, const Point& p1, const Step
     }
   }
   return line;
+  // <starter> throw NotWritten("01.6", p0, p1, steps);
+  // </solution>
 }
 
 }  // namespace rasterlab

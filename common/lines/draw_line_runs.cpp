@@ -1,5 +1,6 @@
 #include "common/lines/draw_line_runs.h"
 
+#include "common/lines/bresenham.h"
 #include "common/lines/line_steps.h"
 #include "common/lines/swapped_columns.h"
 
@@ -10,6 +11,7 @@ namespace rasterlab {
 
 std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1,
                             const Rgb8& color) {
+  // <solution>
   const TurnedSegment segment = turn(p0, p1);
   const auto& [from, to, transposed] = segment;
   const LineSteps steps(segment.turned_back(from.x(), from.y()),
@@ -45,6 +47,14 @@ std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1
     }
   }
   return visible.last - visible.first + 1;
+  // <starter> std::int64_t drawn = 0;
+  // <starter> for (const Point& pixel : line_bresenham(p0, p1)) {
+  // <starter>   if (!image.contains(pixel.x(), pixel.y())) continue;
+  // <starter>   image(pixel.x(), pixel.y()) = color;
+  // <starter>   ++drawn;
+  // <starter> }
+  // <starter> return drawn;
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -1,5 +1,6 @@
 #include "common/lines/draw_wireframe.h"
 
+#include "common/image/check.h"
 #include "common/lines/draw_line.h"
 #include "common/lines/seen_along_z.h"
 
@@ -7,6 +8,7 @@
 #include <cmath>
 
 namespace rasterlab {
+// <solution>
 namespace {
 
 /// The pixel a window coordinate falls into, in an image of `size` pixels.
@@ -17,8 +19,10 @@ int pixel_at(float coordinate, int size) {
 }
 
 }  // namespace
+// </solution>
 
 void draw_wireframe(Image<Rgb8>& image, const Mesh& mesh, const Rgb8& color) {
+  // <solution>
   const auto draw_edge = [&](std::uint32_t from, std::uint32_t to) {
     const auto window = [&](std::uint32_t vertex) {
       return seen_along_z(mesh.positions[vertex], image.width(), image.height());
@@ -34,6 +38,8 @@ void draw_wireframe(Image<Rgb8>& image, const Mesh& mesh, const Rgb8& color) {
     draw_edge(corners[1], corners[2]);
     draw_edge(corners[2], corners[0]);
   }
+  // <starter> throw NotWritten("01.11", image, mesh, color);
+  // </solution>
 }
 
 }  // namespace rasterlab
