@@ -1,0 +1,1 @@
+"""Teaching with RasterLab: hand out, grade, explain. docs/teaching.md walks through it."""

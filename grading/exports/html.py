@@ -1,0 +1,195 @@
+"""The pages people read: one per student, one for the class. Whatever comes from a student is escaped."""
+
+import collections
+import html
+import pathlib
+import urllib.parse
+
+from grading.exports import words
+from grading.record import Json, Record
+
+_STYLE = """
+:root { color-scheme: light dark; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+h1, h2, h3 { line-height: 1.2; }
+pre { overflow-x: auto; background: #8881; padding: .6rem; border-radius: 4px; font-size: 13px; line-height: 1.25; }
+table { border-collapse: collapse; } td, th { padding: .2rem .7rem; text-align: left; border-bottom: 1px solid #8884; }
+td.number { text-align: right; font-variant-numeric: tabular-nums; }
+.right { color: #1a7f37; } .wrong { color: #cf222e; } .failed { color: #9a6700; }
+figure { display: inline-block; margin: .5rem 1rem .5rem 0; vertical-align: top; }
+figure img { width: 256px; image-rendering: pixelated; border: 1px solid #8888; display: block; }
+.swap { position: relative; } .swap img + img { position: absolute; inset: 0; opacity: 0; }
+.swap:hover img + img, .swap:focus img + img { opacity: 1; }
+.mistake { border-left: 4px solid #bf8700; padding: .2rem .8rem; background: #bf870018; }
+.bar { background: #0969da; height: .8rem; display: inline-block; border-radius: 2px; }
+"""
+
+_COLORS = {"right": "right", "grader error": "failed", "by hand": "failed"}
+
+
+def _page(title: str, body: str) -> str:
+    policy = "default-src 'none'; img-src 'self'; style-src 'unsafe-inline'"
+    return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+            f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+            f'<meta name="viewport" content="width=device-width">\n<title>{html.escape(title)}</title>\n'
+            f"<style>{_STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n")
+
+
+def _verdict(verdict: str) -> str:
+    return f'<span class="{_COLORS.get(verdict, "wrong")}">{html.escape(verdict)}</span>'
+
+
+def _pre(text: str) -> str:
+    return f"<pre>{html.escape(text)}</pre>\n" if text else ""
+
+
+def _paragraph(text: str, kind: str = "") -> str:
+    attribute = f' class="{kind}"' if kind else ""
+    return f"<p{attribute}>{html.escape(text)}</p>\n" if text else ""
+
+
+# --- a student's page ---------------------------------------------------------------------------
+
+
+def student(record: Record) -> str:
+    body = f"<h1>{html.escape(record.name)}</h1>\n"
+    body += f"<p><strong>{words.points(record.score)}</strong> of {record.max_score:g} points</p>\n"
+    if not record.complete:
+        body += _paragraph("The grader failed on an exercise. This is not a zero: it will be graded again.", "failed")
+    body += "".join(_paragraph(note) for note in record.data["notes"])
+    body += _overview(record)
+    body += "".join(_exercise(entry) for entry in record.exercises if entry["verdict"] != "by hand")
+    whole = record.data["whole"]
+    body += f"<h2>All files together</h2>\n<p>Not scored: {_verdict(whole['verdict'])}</p>\n" + _pre(whole["message"])
+    return _page(f"{record.name}: RasterLab", body)
+
+
+def _overview(record: Record) -> str:
+    rows = "".join(
+        f'<tr><td><a href="#e{html.escape(e["id"])}">{html.escape(e["id"])}</a></td><td>{html.escape(e["title"])}</td>'
+        f'<td>{_verdict(e["verdict"])}</td><td class="number">{words.points(e["score"])} / {e["max_score"]:g}</td></tr>\n'
+        for e in record.exercises)
+    return f"<table>\n<tr><th></th><th>exercise</th><th>verdict</th><th>points</th></tr>\n{rows}</table>\n"
+
+
+def _exercise(entry: Json) -> str:
+    body = (f'<h2 id="e{html.escape(entry["id"])}">{html.escape(entry["id"])} {html.escape(entry["title"])}</h2>\n'
+            f'<p>{_verdict(entry["verdict"])}, {words.points(entry["score"])} of {entry["max_score"]:g} points; '
+            f'<code>{html.escape(entry["file"])}</code></p>\n')
+    if entry["verdict"] != "right":
+        body += _paragraph(entry["message"])
+    if mistake := entry["mistake"]:
+        body += (f'<div class="mistake"><p><strong>This looks like: {html.escape(mistake["title"])}.</strong></p>\n'
+                 f'<p>The contract says: {html.escape(mistake["breaks"])}</p></div>\n')
+    if entry["verdict"] not in ("right", "by hand"):
+        body += _paragraph(f"Read {entry['section']}, and the contract {entry['contract']}.")
+    body += _pre(entry["compiler"])
+    return body + "".join(_scene(entry, scene) for scene in entry["scenes"])
+
+
+def _scene(entry: Json, scene: Json) -> str:
+    title = f"<h3>{html.escape(scene['name'])}: {_verdict(scene['verdict'])}</h3>\n"
+    if scene["hidden"]:
+        return title
+    body = title
+    for result in scene["results"]:
+        if result["right"]:
+            continue
+        body += f"<p><strong>{html.escape(result['name'])}.</strong> {html.escape(result['message'])}</p>\n"
+        body += _pictures(f"{entry['id']}/{scene['number']}", result.get("pictures", {}))
+        body += _pre(result.get("grid", ""))
+    if not scene["results"]:
+        body += _paragraph(scene["message"])
+    if scene["printed"] and scene["verdict"] != "right":
+        body += "<details><summary>what the program printed</summary>\n" + _pre(scene["printed"]) + "</details>\n"
+    return body
+
+
+def _pictures(folder: str, names: dict[str, str]) -> str:
+    if "actual" not in names or "expected" not in names:
+        return ""
+
+    def image(what: str) -> str:
+        source = urllib.parse.quote(f"pictures/{folder}/{names[what]}")
+        return f'<img src="{source}" alt="{what}">'
+
+    swap = (f'<figure><div class="swap" tabindex="0">{image("actual")}{image("expected")}</div>'
+            "<figcaption>yours; point at it to see what is expected</figcaption></figure>\n")
+    difference = ""
+    if "difference" in names:
+        difference = (f'<figure>{image("difference")}<figcaption>difference: red missing, yellow extra, '
+                      "magenta another value</figcaption></figure>\n")
+    return swap + f'<figure>{image("expected")}<figcaption>expected</figcaption></figure>\n' + difference
+
+
+# --- the class ----------------------------------------------------------------------------------
+
+
+def class_page(records: list[Record]) -> str:
+    body = "<h1>The class</h1>\n" + _grader_failures(records) + _distribution(records)
+    body += _commonest_mistakes(records) + _students(records) + _limits(records)
+    return _page("The class: RasterLab", body)
+
+
+def _grader_failures(records: list[Record]) -> str:
+    failures = [(record.name, entry) for record in records for entry in record.exercises
+                if entry["verdict"] == "grader error"]
+    if not failures:
+        return "<p>The grader failed nowhere.</p>\n"
+    rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{html.escape(entry['id'])}</td>"
+                   f"<td><pre>{html.escape(entry['message'])}</pre></td></tr>\n" for name, entry in failures)
+    return (f'<h2 class="failed">Failures of the grader: {len(failures)}</h2>\n<p>These have no score, not a zero; '
+            f"run the same command again.</p>\n<table>\n{rows}</table>\n")
+
+
+def _distribution(records: list[Record]) -> str:
+    verdicts: dict[str, collections.Counter[str]] = {}
+    titles: dict[str, str] = {}
+    means: dict[str, list[float]] = collections.defaultdict(list)
+    for record in records:
+        for entry in record.exercises:
+            if entry["verdict"] == "by hand":
+                continue
+            titles[entry["id"]] = entry["title"]
+            verdicts.setdefault(entry["id"], collections.Counter())[entry["verdict"]] += 1
+            if entry["score"] is not None and entry["max_score"]:
+                means[entry["id"]].append(entry["score"] / entry["max_score"])
+    rows = ""
+    for exercise, counts in verdicts.items():
+        share = sum(means[exercise]) / len(means[exercise]) if means[exercise] else 0.0
+        spread = ", ".join(f"{count} {html.escape(verdict)}" for verdict, count in counts.most_common())
+        rows += (f"<tr><td>{html.escape(exercise)}</td><td>{html.escape(titles[exercise])}</td>"
+                 f'<td><span class="bar" style="width:{share * 8:.2f}rem"></span> {share:.0%}</td>'
+                 f"<td>{spread}</td></tr>\n")
+    return ("<h2>Each exercise</h2>\n<table>\n<tr><th></th><th>exercise</th><th>mean of the points</th>"
+            f"<th>verdicts</th></tr>\n{rows}</table>\n")
+
+
+def _commonest_mistakes(records: list[Record]) -> str:
+    counts = collections.Counter((entry["id"], entry["mistake"]["title"]) for record in records
+                                 for entry in record.exercises if entry["mistake"])
+    if not counts:
+        return ""
+    rows = "".join(f'<tr><td class="number">{count}</td><td>{html.escape(exercise)}</td>'
+                   f"<td>{html.escape(title)}</td></tr>\n" for (exercise, title), count in counts.most_common(20))
+    return f"<h2>Commonest mistakes</h2>\n<table>\n{rows}</table>\n"
+
+
+def _students(records: list[Record]) -> str:
+    rows = "".join(
+        f'<tr><td><a href="students/{urllib.parse.quote(r.name)}/index.html">{html.escape(r.name)}</a></td>'
+        f'<td class="number">{words.points(r.score)} / {r.max_score:g}</td>'
+        f"<td>{html.escape('; '.join(r.data['notes']))}</td></tr>\n" for r in records)
+    return f"<h2>Submissions</h2>\n<table>\n{rows}</table>\n"
+
+
+def _limits(records: list[Record]) -> str:
+    limits = sorted({limit for record in records for limit in record.data["limits_not_enforced"]})
+    if not limits:
+        return ""
+    return ("<h2>What this machine does not enforce</h2>\n<ul>\n"
+            + "".join(f"<li>{html.escape(limit)}</li>\n" for limit in limits) + "</ul>\n")
+
+
+def student_folder(out: pathlib.Path, name: str) -> pathlib.Path:
+    return out / "students" / name

@@ -1,0 +1,258 @@
+"""`./lab handout`: makes a starter tree, and proves it before it is handed out."""
+
+import argparse
+import dataclasses
+import fnmatch
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+
+from grading import archive, manifest, markers
+from grading.errors import GradingError, UsageError
+from grading.kit import Kit
+from grading.manifest import ROOT, Exercise
+
+# Whole files and folders that students never get.
+TEACHERS = ("grading/", "tests/grading/", "docs/teaching.md", "docs/grading-safety.md", ".ci/", ".github/")
+
+# A line of a solution that says something: shorter ones, as `}` or `return line;`, stand everywhere.
+TELLING_LENGTH = 28
+
+
+@dataclasses.dataclass
+class Starter:
+    """A starter tree in memory."""
+
+    files: dict[str, bytes]
+    executable: set[str]
+    removed: dict[str, list[list[str]]]  # file to the blocks that were left out of it
+
+
+def project_files() -> list[str]:
+    """The files of this tree as version control has them."""
+    done = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
+                          capture_output=True, check=False)
+    if done.returncode != 0:
+        raise GradingError("expected a git clone of RasterLab: the hand-out is made of the files git knows")
+    names = done.stdout.decode().split("\0")
+    return sorted(name for name in names if name and (ROOT / name).is_file())
+
+
+def is_handed_out(name: str, last_stage: int) -> bool:
+    return not name.startswith(TEACHERS) and manifest.path_stage(name) <= last_stage
+
+
+def make_starter(stages: list[str]) -> Starter:
+    """The tree with the given stages as starters, earlier ones solved and later ones absent."""
+    chosen = {manifest.stage_number(stage) for stage in stages}
+    starter = Starter({}, set(), {})
+    for name in project_files():
+        path = ROOT / name
+        if not is_handed_out(name, max(chosen)):
+            continue
+        content = path.read_bytes()
+        if markers.is_marked(pathlib.PurePath(name)):
+            stripped = markers.strip(content.decode(), manifest.path_stage(name) in chosen, name)
+            content = stripped.text.encode()
+            if stripped.removed:
+                starter.removed[name] = stripped.removed
+        starter.files[name] = content
+        if os.access(path, os.X_OK):
+            starter.executable.add(name)
+    return starter
+
+
+def write_starter(starter: Starter, out: pathlib.Path) -> None:
+    for name, content in starter.files.items():
+        path = out / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+        path.chmod(0o755 if name in starter.executable else 0o644)
+    (out / archive.CHECKSUMS).write_text(archive.checksums(out))
+
+
+# --- what is proved -----------------------------------------------------------------------------
+
+
+def check_markers(starter: Starter, exercises: list[Exercise]) -> None:
+    """Every exercise has a starter in its file."""
+    for exercise in exercises:
+        text = starter.files.get(exercise.file, b"").decode()
+        if not exercise.grading.by_hand and f'NotWritten("{exercise.id}"' not in text:
+            raise GradingError(f"{exercise.file}: expected a <solution> with the starter "
+                               f"throw NotWritten(\"{exercise.id}\", …)")
+
+
+def leaks(starter: Starter) -> list[str]:
+    """Lines of a removed solution that stand anywhere in the starter."""
+    lines: dict[str, str] = {}
+    for name, content in starter.files.items():
+        if pathlib.PurePath(name).suffix in (".cpp", ".h", ".md", ".txt", ".json", ".py"):
+            for line in content.decode("utf-8", "replace").splitlines():
+                lines.setdefault(_bare(line), name)
+    idioms = {_bare(line) for line in (ROOT / "grading" / "idioms.txt").read_text().splitlines()}
+    found = []
+    for name, blocks in starter.removed.items():
+        for line in (line for block in blocks for line in block):
+            if _is_telling(line) and _bare(line) not in idioms and (place := lines.get(_bare(line))):
+                found.append(f"{place}: holds a line of the solution in {name}: {line.strip()}")
+    return found
+
+
+def _bare(line: str) -> str:
+    return re.sub(r"\s+", "", line.split("//")[0])
+
+
+def _is_telling(line: str) -> bool:
+    """Whether a line could give an answer away: long enough, and neither a loop's head, a declaration's nor
+    an include, which the contracts and the code around show anyway."""
+    text = line.strip()
+    if text.startswith(("#include", "//", "for (", "if (", "while (", "template", "return {", "throw ")):
+        return False
+    return len(_bare(line)) >= TELLING_LENGTH and text.endswith(";") and "=" in text
+
+
+def check_leaks(starter: Starter, kit: Kit) -> None:
+    if found := leaks(starter):
+        raise GradingError("the starter would give answers away:\n" + "\n".join(found[:20]))
+    hidden = [str(scene.number).encode() for exercise in kit.graded_exercises for scene in kit.scenes(exercise)
+              if scene.hidden]
+    for name, content in starter.files.items():
+        if any(number in content for number in hidden):
+            raise GradingError(f"{name}: holds the number of a hidden scene")
+        if b"<solution>" in content or b"<teacher>" in content:
+            raise GradingError(f"{name}: holds a marker")
+    if (b"./lab grade" in starter.files.get("lab", b"")) or any(n.startswith("grading/") for n in starter.files):
+        raise GradingError("the grader is in the starter")
+
+
+def prove_build(out: pathlib.Path, stages: list[str], exercises: list[Exercise], jobs: int) -> str:
+    """Builds a copy of the starter, runs its stages and tests, and says what was seen."""
+    with tempfile.TemporaryDirectory(prefix="rasterlab-handout-") as folder:
+        copy = pathlib.Path(folder, "starter")
+        shutil.copytree(out, copy)
+        _tool(["cmake", "--preset", "release", "-D", "RASTERLAB_BENCHMARKS=OFF"], copy, "configuring the starter")
+        _tool(["cmake", "--build", "--preset", "release", "-j", str(jobs)], copy, "building the starter")
+        for stage in stages:
+            _tool([f"build/release/bin/{stage}", "--out", "out"], copy, f"running the starter of {stage}")
+        results = _run_tests(copy, jobs)
+    return check_tests(results, stages, exercises)
+
+
+def _tool(command: list[str], folder: pathlib.Path, what: str) -> None:
+    environment = {**os.environ, "CCACHE_BASEDIR": str(folder), "CCACHE_NOHASHDIR": "1"}
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, env=environment)
+    if done.returncode != 0:
+        raise GradingError(f"{what} failed:\n{(done.stdout + done.stderr)[-4000:]}")
+
+
+def _run_tests(folder: pathlib.Path, jobs: int) -> dict[str, tuple[str, str]]:
+    """Test name to its status ("run", "fail", …) and what it printed."""
+    report = folder / "tests.xml"
+    subprocess.run(["ctest", "--test-dir", "build/release", "-LE", "^(stress|fuzz|slow)$", "-j", str(jobs),
+                    "--output-junit", str(report)], cwd=folder, capture_output=True, check=False)
+    if not report.exists():
+        raise GradingError("the starter's tests did not run")
+    return {case.get("name", ""): (case.get("status", ""), "".join(case.itertext()))
+            for case in ET.parse(report).getroot().iter("testcase")}
+
+
+def check_tests(results: dict[str, tuple[str, str]], stages: list[str], exercises: list[Exercise]) -> str:
+    """In a starter the tests of its exercises say "not written yet" and nothing else fails."""
+    patterns = [(exercise, pattern) for exercise in exercises for pattern in exercise.tests]
+    seen: dict[str, int] = {exercise.id: 0 for exercise in exercises}
+    wrong = []
+    for name, (status, output) in results.items():
+        owners = [exercise for exercise, pattern in patterns if fnmatch.fnmatchcase(name, pattern)]
+        unwritten = "not written yet" in output
+        if status == "fail" and not unwritten:
+            wrong.append(f"{name} fails otherwise than with \"not written yet\":\n{output[-600:]}")
+        for exercise in owners if unwritten else []:
+            seen[exercise.id] += 1
+    wrong += [f"no test of {exercise.id} says \"not written yet\"" for exercise in exercises
+              if not seen[exercise.id] and exercise.tests and not exercise.grading.by_hand]
+    if wrong:
+        raise GradingError(f"{len(wrong)} tests of the starter are not as they should be:\n" + "\n".join(wrong[:10]))
+    failing = sum(status == "fail" for status, _ in results.values())
+    return f"{len(results)} tests: {failing} say \"not written yet\", {len(results) - failing} pass or are left out"
+
+
+def check_scores(out: pathlib.Path, kit: Kit, jobs: int) -> str:
+    """Grades the starter as if it were handed in: every exercise gets what the manifest says of an empty one."""
+    from grading.grade import Grader  # here because most of a hand-out needs no grader
+
+    with tempfile.TemporaryDirectory(prefix="rasterlab-handout-") as folder:
+        grader = Grader(kit, pathlib.Path(folder), jobs)
+        grader.prepare()
+        graded, _ = grader.grade(out, "starter")
+    expected = {exercise.id: exercise.grading.empty for exercise in kit.graded_exercises}
+    for entry in graded.exercises:
+        if entry["id"] in expected and entry["score"] != expected[entry["id"]]:
+            raise GradingError(f"the starter of {entry['id']} scores {entry['score']}, expected "
+                               f"{expected[entry['id']]}: {entry['verdict']}, {entry['message']}")
+    return f"{len(expected)} exercises score what an empty answer scores"
+
+
+# --- the command --------------------------------------------------------------------------------
+
+
+def options_of(arguments: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="./lab handout",
+        description="Makes a starter tree: earlier stages solved, the chosen ones to be written, later ones absent. "
+                    "Builds and tests it before it says it is there.")
+    parser.add_argument("--stage", required=True, metavar="NN[,NN…]", help="the stages to be written")
+    parser.add_argument("--out", required=True, type=pathlib.Path, metavar="DIR", help="folder to make, not there yet")
+    parser.add_argument("--archive", type=pathlib.Path, metavar="FILE.tar.gz", help="also pack it: same bytes each time")
+    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many compilers at once (default 2)")
+    parser.add_argument("--secret", default="rasterlab", metavar="TEXT", help="that of ./lab grade")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
+    return parser.parse_args(arguments)
+
+
+def main(arguments: list[str]) -> int:
+    options = options_of(arguments)
+    stages = manifest.find_stages(options.stage)
+    out: pathlib.Path = options.out
+    if out.exists() and any(out.iterdir()):
+        raise UsageError(f"--out {out}: expected a folder that is not there yet or is empty")
+    if options.archive and not options.archive.name.endswith(".tar.gz"):
+        raise UsageError(f"--archive {options.archive}: expected a name that ends in .tar.gz")
+
+    def say(text: str) -> None:
+        if not options.quiet:
+            print(text, flush=True)
+
+    kit = Kit(stages, options.secret)
+    starter = make_starter(stages)
+    check_markers(starter, kit.exercises)
+    check_leaks(starter, kit)
+    unproved = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}-", dir=out.resolve().parent))
+    try:
+        write_starter(starter, unproved)
+        say(f"{len(starter.files)} files, no line of {sum(map(len, starter.removed.values()))} removed blocks")
+        say(prove_build(unproved, stages, kit.graded_exercises, options.jobs))
+        say(check_scores(unproved, kit, options.jobs))
+        unproved.chmod(0o755)
+        if out.exists():
+            out.rmdir()
+        unproved.rename(out)
+    except BaseException:
+        shutil.rmtree(unproved, ignore_errors=True)
+        raise
+    say(f"wrote {out}")
+    if options.archive:
+        temporary = options.archive.with_name(f".{options.archive.name}.tmp")
+        temporary.write_bytes(archive.tar_gz(out, "rasterlab"))
+        temporary.rename(options.archive)
+        say(f"wrote {options.archive}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

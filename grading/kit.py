@@ -1,0 +1,285 @@
+"""What submissions are graded against: the reference, built and taken apart.
+
+A kit is made from this very tree by the CMake preset `grade`. It holds the headers a student's file may see,
+the reference's objects (one archive per exercise, so that a student's file never meets the answer it
+replaces) and what the reference computes for each scene.
+"""
+
+import dataclasses
+import fcntl
+import functools
+import hashlib
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import threading
+import json
+
+from grading import manifest
+from grading.errors import GradingError
+from grading.manifest import ROOT, Exercise
+
+BUILD = ROOT / "build" / "grade"
+KIT = ROOT / "build" / "kit"
+
+
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    """One run of an exercise. Scene 0 is the course's own example; other numbers seed made-up inputs."""
+
+    number: int
+    hidden: bool
+
+    @property
+    def title(self) -> str:
+        if self.hidden:
+            return "hidden scene"
+        return "the lab sheet's example" if self.number == 0 else f"scene {self.number}"
+
+
+@dataclasses.dataclass(frozen=True)
+class Unit:
+    """A source file that must be compiled anew for an exercise, and the headers with answers it may see."""
+
+    source: str
+    headers: tuple[str, ...]
+
+
+def run_tool(command: list[str], what: str) -> str:
+    """Runs a trusted program of ours; its failure is the grader's."""
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise GradingError(f"{what} failed:\n{done.stdout}{done.stderr}"[-4000:])
+    return done.stdout
+
+
+class Kit:
+    def __init__(self, stages: list[str], secret: str) -> None:
+        self.stages = stages
+        self.secret = secret
+        self._lock = threading.Lock()
+
+    # --- building -------------------------------------------------------------------------------
+
+    def prepare(self) -> None:
+        """Builds the reference and takes it apart. Quick when nothing has changed."""
+        KIT.mkdir(parents=True, exist_ok=True)
+        with open(KIT / "lock", "w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # several shards may start at once
+            self._build()
+            self._copy_headers()
+            self._make_archives()
+
+    def _build(self) -> None:
+        if not (BUILD / "build.ninja").exists():
+            run_tool(["cmake", "--preset", "grade"], "configuring the reference")
+        probes = [probe_name(stage) for stage in self.stages]
+        run_tool(["cmake", "--build", "--preset", "grade", "--target", "common", "rasterlab_judge", *probes],
+                 "building the reference")
+
+    def _copy_headers(self) -> None:
+        """include/: every header of common that is no answer; answers are empty files to mount on."""
+        fresh = KIT / f"include.{threading.get_native_id()}"
+        shutil.rmtree(fresh, ignore_errors=True)
+        answers = self.answers
+        for path in sorted((ROOT / "common").rglob("*.h")):
+            name = path.relative_to(ROOT).as_posix()
+            (fresh / name).parent.mkdir(parents=True, exist_ok=True)
+            (fresh / name).write_bytes(b"" if name in answers else path.read_bytes())
+        for path in [*(ROOT / "grading" / "judge").glob("records.h"), *(ROOT / "grading/probes").glob("*.h")]:
+            target = fresh / path.relative_to(ROOT)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(path.read_bytes())
+        sources = answers | {unit.source for exercise in self.graded_exercises for unit in self.units(exercise)}
+        for name in sources:
+            (fresh / name).parent.mkdir(parents=True, exist_ok=True)
+            (fresh / name).touch()
+        if _tree_digest(fresh) == _tree_digest(self.include):
+            shutil.rmtree(fresh)
+        else:
+            shutil.rmtree(self.include, ignore_errors=True)
+            fresh.rename(self.include)
+
+    def _make_archives(self) -> None:
+        (KIT / "archives").mkdir(exist_ok=True)
+        answers = self.answers
+        given = [source for source in self.library_sources if source not in answers]
+        self._archive("given", given)
+        for source in self.library_sources:
+            if source in answers:
+                self._archive(archive_name(source), [source])
+
+    def _archive(self, name: str, sources: list[str]) -> None:
+        path = KIT / "archives" / f"{name}.a"
+        objects = [object_path(source) for source in sources]
+        if path.exists() and path.stat().st_mtime >= max(o.stat().st_mtime for o in objects):
+            return
+        path.unlink(missing_ok=True)
+        run_tool(["ar", "qcs", str(path), *map(str, objects)], "archiving the reference")
+
+    # --- what there is --------------------------------------------------------------------------
+
+    @property
+    def include(self) -> pathlib.Path:
+        return KIT / "include"
+
+    @functools.cached_property
+    def all_exercises(self) -> list[Exercise]:
+        return [exercise for stage in manifest.STAGES if (ROOT / stage).is_dir()
+                for exercise in manifest.exercises(stage)]
+
+    @functools.cached_property
+    def exercises(self) -> list[Exercise]:
+        """Those of the kit's stages."""
+        return [exercise for exercise in self.all_exercises if exercise.stage in self.stages]
+
+    @functools.cached_property
+    def graded_exercises(self) -> list[Exercise]:
+        return [exercise for exercise in self.exercises if not exercise.grading.by_hand]
+
+    @functools.cached_property
+    def answers(self) -> frozenset[str]:
+        """The files of all stages that hold an answer."""
+        return frozenset(exercise.file for exercise in self.all_exercises if not exercise.grading.by_hand)
+
+    @functools.cached_property
+    def commands(self) -> dict[str, list[str]]:
+        """Source file, as in the repository, to its compile command."""
+        entries = json.loads((BUILD / "compile_commands.json").read_text())
+        return {str(pathlib.Path(entry["file"]).relative_to(ROOT)): shlex.split(entry["command"])
+                for entry in entries if pathlib.Path(entry["file"]).is_relative_to(ROOT)}
+
+    @functools.cached_property
+    def library_sources(self) -> list[str]:
+        return [source for source in self.commands if source.startswith("common/")]
+
+    @functools.cached_property
+    def compile_flags(self) -> list[str]:
+        """How the library is compiled, less the precompiled header, this tree's path and -Werror: a warning
+        is shown to a student, not punished."""
+        command = next(self.commands[source] for source in self.library_sources)
+        flags: list[str] = []
+        skip = 0
+        for token in command[1:]:
+            if skip:
+                skip -= 1
+            elif token in ("-o", "-c", "-include"):
+                skip = 1
+            elif token in ("-Werror", "-Winvalid-pch", "-fpch-preprocess") or str(ROOT) in token:
+                pass
+            elif not token.startswith("/") or flags and flags[-1] in ("-isystem", "-I"):
+                flags.append(token)
+        return flags
+
+    @functools.cached_property
+    def libraries(self) -> list[str]:
+        """Debian's libraries that the reference links."""
+        lines = run_tool(["ninja", "-C", str(BUILD), "-t", "commands", probe_name(self.stages[0])], "ninja")
+        tokens = shlex.split(lines.strip().splitlines()[-1])
+        return [token for token in tokens if token.startswith("/usr/lib/") or token.startswith("-l")]
+
+    def units(self, exercise: Exercise) -> list[Unit]:
+        """What must be compiled for an exercise: its file; where that is a header, what includes it."""
+        headers = {file for file in self.answers if file.endswith(".h")}
+        probe = f"grading/probes/{probe_name(exercise.stage)}.cpp"
+
+        def seen(source: str) -> tuple[str, ...]:
+            return tuple(sorted(headers & self.dependencies.get(source, frozenset())))
+
+        if not exercise.file.endswith(".h"):
+            return [Unit(exercise.file, seen(exercise.file))]
+        sources = [source for source in [*self.library_sources, probe]
+                   if exercise.file in self.dependencies.get(source, frozenset())
+                   and not source.startswith(("common/engine/", "common/viewer/"))]
+        return [Unit(source, seen(source)) for source in sources]
+
+    @functools.cached_property
+    def dependencies(self) -> dict[str, frozenset[str]]:
+        """Source file to the files of ours that it includes, as the compiler told ninja."""
+        found: dict[str, frozenset[str]] = {}
+        objects = {str(object_path(source).relative_to(BUILD)): source for source in self.commands}
+        current: list[str] = []
+        name = ""
+        for line in [*run_tool(["ninja", "-C", str(BUILD), "-t", "deps"], "ninja").splitlines(), ""]:
+            if line.startswith("    "):
+                path = pathlib.Path(line.strip())
+                if path.is_relative_to(ROOT):
+                    current.append(path.relative_to(ROOT).as_posix())
+            elif line:
+                name = line.split(":")[0]
+            elif name in objects:
+                found[objects[name]] = frozenset(current)
+            if not line:
+                current = []
+        return found
+
+    def scenes(self, exercise: Exercise) -> list[Scene]:
+        public = [Scene(0, False), Scene(1, False)]
+        hidden = [Scene(int.from_bytes(_hash(f"{self.secret}/{exercise.id}/{i}")[:6], "big") | 2, True)
+                  for i in range(exercise.grading.hidden)]
+        return public + hidden
+
+    # --- what the reference computes -------------------------------------------------------------
+
+    def expected(self, exercise: Exercise, scene: Scene) -> pathlib.Path:
+        """The reference's result file."""
+        program = BUILD / "bin" / probe_name(exercise.stage)
+        path = KIT / "expected" / self._program_digest(program) / exercise.id / f"{scene.number}.result"
+        with self._lock:
+            if not path.exists():
+                path.parent.mkdir(parents=True, exist_ok=True)
+                unfinished = path.with_suffix(f".{threading.get_native_id()}")
+                run_tool([str(program), exercise.id, str(scene.number), str(unfinished)],
+                         f"the reference on {exercise.id}, scene {scene.number},")
+                unfinished.rename(path)
+        return path
+
+    @functools.cache
+    def _program_digest(self, program: pathlib.Path) -> str:
+        return hashlib.sha256(program.read_bytes()).hexdigest()[:16]
+
+    @functools.cached_property
+    def digest(self) -> str:
+        """Changes when anything does that a grade depends on: reference, probes, judge, manifests, tool."""
+        parts = [str(self.stages), self.secret, str(self.compile_flags), sys.version,
+                 run_tool(["c++", "--version"], "c++"), _tree_digest(self.include)]
+        for stage in self.stages:
+            parts.append(self._program_digest(BUILD / "bin" / probe_name(stage)))
+            parts.append((ROOT / stage / "exercises.json").read_text())
+        parts.append(self._program_digest(BUILD / "bin" / "rasterlab_judge"))
+        for path in sorted([*(ROOT / "grading").rglob("*.py"), *(ROOT / "grading/mutants").glob("*.toml")]):
+            parts.append(path.read_text())
+        return hashlib.sha256("\0".join(parts).encode()).hexdigest()
+
+
+def probe_name(stage: str) -> str:
+    return f"stage{stage[:2]}_probe"
+
+
+def archive_name(source: str) -> str:
+    return source.removeprefix("common/").removesuffix(".cpp").replace("/", ".")
+
+
+def object_path(source: str) -> pathlib.Path:
+    """Where CMake puts the object of a source file."""
+    if source.startswith("common/"):
+        return BUILD / "common/CMakeFiles/common.dir" / (source.removeprefix("common/") + ".o")
+    if source.startswith("grading/probes/stage"):
+        program = pathlib.PurePath(source).stem
+        return BUILD / f"grading/CMakeFiles/{program}.dir" / (source.removeprefix("grading/") + ".o")
+    return BUILD / source
+
+
+def _hash(text: str) -> bytes:
+    return hashlib.sha256(text.encode()).digest()
+
+
+def _tree_digest(folder: pathlib.Path) -> str:
+    digest = hashlib.sha256()
+    for path in sorted(folder.rglob("*")):
+        if path.is_file():
+            digest.update(path.relative_to(folder).as_posix().encode() + b"\0")
+            digest.update(hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()

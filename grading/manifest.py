@@ -1,0 +1,98 @@
+"""The exercises of the stages, as their exercises.json say, and which files belong to which stage."""
+
+import dataclasses
+import functools
+import json
+import pathlib
+import re
+from typing import Any
+
+from grading.errors import GradingError, UsageError
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+STAGES = ("01_lines", "02_triangles", "03_zbuffer", "04_projection", "05_lighting", "06_texture", "07_shaders")
+
+# The stage that brings each topic of common; topics not named here are given from the start. The engine is
+# the fast renderer: what the stages before 04 ask for could be read there.
+TOPIC_STAGE = {"lines": 1, "triangles": 2, "zbuffer": 3, "projection": 4, "viewer": 4, "engine": 4,
+               "lighting": 5, "texture": 6, "shaders": 7}
+
+
+@dataclasses.dataclass(frozen=True)
+class Grading:
+    """The optional object "grading" of an exercise: docs/teaching.md says what each means."""
+
+    by_hand: str = ""  # why a machine does not grade it; empty: it does
+    empty: float = 0.0  # points of an empty answer
+    hidden: int = 4  # how many hidden scenes
+    picture_credit: float = 0.5  # of a scene's points, given by the share of it that is right
+
+
+@dataclasses.dataclass(frozen=True)
+class Exercise:
+    id: str
+    stage: str
+    title: str
+    file: str
+    function: str
+    points: float
+    tests: tuple[str, ...]
+    writes: tuple[str, ...]
+    grading: Grading
+
+    @property
+    def section(self) -> str:
+        """Where the lab sheet explains it."""
+        return f"{self.stage}/README.md, exercise {self.id}"
+
+    @property
+    def header(self) -> str:
+        """The contract."""
+        return str(pathlib.PurePosixPath(self.file).with_suffix(".h"))
+
+
+def stage_number(stage: str) -> int:
+    return int(stage[:2])
+
+
+def find_stages(text: str) -> list[str]:
+    """"02,03" to ["02_triangles", "03_zbuffer"]."""
+    found = []
+    for part in text.split(","):
+        matches = [stage for stage in STAGES if part.strip() in (stage, stage[:2], stage[1:2])]
+        if not matches:
+            raise UsageError(f"stage '{part}': expected 01 to 07, several with commas between")
+        found += matches
+    return sorted(set(found))
+
+
+def path_stage(path: str) -> int:
+    """The stage that brings a file of the repository; 0 for what is there from the start."""
+    if match := re.match(r"(?:tests/stage|bench/(?:stage)?|grading/probes/stage)?(0[1-7])(?:_|/|\.|$)", path):
+        return int(match.group(1))
+    if match := re.match(r"(?:common|tests|bench)/([a-z]+)/", path):
+        return TOPIC_STAGE.get(match.group(1), 0)
+    return 0
+
+
+def _exercise(stage: str, entry: dict[str, Any]) -> Exercise:
+    known = {field.name for field in dataclasses.fields(Grading)}
+    grading = entry.get("grading", {})
+    if unknown := set(grading) - known:
+        raise GradingError(f"{stage}/exercises.json: {entry['id']}: \"grading\" has {sorted(unknown)}; "
+                           f"expected some of {sorted(known)}")
+    return Exercise(id=entry["id"], stage=stage, title=entry["title"], file=entry["file"],
+                    function=str(entry.get("function", "")), points=float(entry["points"]),
+                    tests=tuple(entry.get("tests", ())), writes=tuple(entry.get("writes", ())),
+                    grading=Grading(**grading))
+
+
+@functools.cache
+def exercises(stage: str, root: pathlib.Path = ROOT) -> tuple[Exercise, ...]:
+    path = root / stage / "exercises.json"
+    try:
+        manifest = json.loads(path.read_text())
+        return tuple(_exercise(stage, entry) for entry in manifest["exercises"])
+    except (OSError, ValueError, KeyError) as error:
+        raise GradingError(f"{path}: expected a stage's manifest: {error}") from error
