@@ -2,6 +2,7 @@
 // perspective-corrected: the one way in which stages 04 to 07 fill a triangle.
 #pragma once
 
+#include "common/mesh/cull.h"
 #include "common/mesh/shader_types.h"
 #include "common/projection/clip.h"
 #include "common/projection/vertex_stage.h"
@@ -14,9 +15,6 @@
 #include <Eigen/Dense>
 
 namespace rasterlab {
-
-/// Which side of a surface is left out.
-enum class Cull { none, back, front };
 
 /// A pixel whose centre a triangle covers.
 struct TrianglePixel {

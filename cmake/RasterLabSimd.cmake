@@ -1,0 +1,54 @@
+# Files compiled once per instruction set, in a namespace each (common/engine/simd.h).
+
+# What such files need to compile.
+add_library(rasterlab_simd_usage INTERFACE)
+target_link_libraries(rasterlab_simd_usage INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json rasterlab_highway)
+# A type's layout must not depend on the instruction set its file is compiled for.
+target_compile_definitions(rasterlab_simd_usage INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+
+# name, then its compiler flags; the flags are what makes Highway choose that target. Narrowest first.
+set(RASTERLAB_SIMD_TARGETS scalar)
+set(RASTERLAB_SIMD_FLAGS_scalar "-DHWY_COMPILE_ONLY_SCALAR")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND RASTERLAB_SIMD_TARGETS ssse3 sse4 avx2 avx512)
+  set(RASTERLAB_SIMD_FLAGS_ssse3 -mssse3)
+  set(RASTERLAB_SIMD_FLAGS_sse4 ${RASTERLAB_SIMD_FLAGS_ssse3} -msse4.2 -mpclmul -maes)
+  set(RASTERLAB_SIMD_FLAGS_avx2 ${RASTERLAB_SIMD_FLAGS_sse4} -mavx2 -mbmi -mbmi2 -mfma -mf16c -mlzcnt)
+  set(RASTERLAB_SIMD_FLAGS_avx512 ${RASTERLAB_SIMD_FLAGS_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw)
+endif()
+
+# rasterlab_add_simd_sources(<target> <files>...)
+# Compiles each file once per instruction set, with RASTERLAB_SIMD naming the namespace its code goes to, and adds the
+# objects to the target. In each object every symbol is made local that doesn't carry that namespace's name: a function
+# of the standard library or of Eigen that happened to be compiled for AVX-512 must not be the copy the linker keeps for
+# everybody.
+function(rasterlab_add_simd_sources target)
+  set(sources)
+  foreach(source IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+    list(APPEND sources "${source}")
+  endforeach()
+  foreach(simd IN LISTS RASTERLAB_SIMD_TARGETS)
+    set(objects ${target}_simd_${simd})
+    add_library(${objects} OBJECT ${sources})
+    target_link_libraries(${objects} PRIVATE rasterlab_simd_usage)
+    if(TARGET rasterlab_options)
+      target_link_libraries(${objects} PRIVATE rasterlab_options)
+      target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}")
+    endif()
+    target_compile_definitions(${objects} PRIVATE RASTERLAB_SIMD=simd_${simd})
+    if(NOT simd STREQUAL scalar)
+      target_compile_definitions(${objects} PRIVATE HWY_COMPILE_ONLY_STATIC)
+    endif()
+    target_compile_options(${objects} PRIVATE ${RASTERLAB_SIMD_FLAGS_${simd}} -ffp-contract=off)
+    set(merged "${CMAKE_CURRENT_BINARY_DIR}/${objects}.o")
+    add_custom_command(
+      OUTPUT "${merged}"
+      COMMAND "${CMAKE_LINKER}" -r --force-group-allocation -o "${merged}.all" "$<TARGET_OBJECTS:${objects}>"
+      COMMAND "${CMAKE_OBJCOPY}" --wildcard "--keep-global-symbol=*simd_${simd}*" "${merged}.all" "${merged}"
+      DEPENDS ${objects} "$<TARGET_OBJECTS:${objects}>"
+      COMMAND_EXPAND_LISTS VERBATIM)
+    set_source_files_properties("${merged}" PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+    target_sources(${target} PRIVATE "${merged}")
+  endforeach()
+endfunction()

@@ -1,0 +1,142 @@
+// What passes from the front end, which works by cluster, to the back end, which works by tile.
+#pragma once
+
+#include "common/engine/statistics.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <vector>
+
+namespace rasterlab {
+
+/// Memory that is only ever freed as a whole.
+class Arena {
+ public:
+  template <class T>
+  T* make() {
+    static_assert(alignof(T) <= alignment && std::is_trivially_destructible_v<T>);
+    const std::size_t size = (sizeof(T) + alignment - 1) / alignment * alignment;
+    if (used_ + size > block_size) next_block();
+    void* place = blocks_[current_].get() + used_;
+    used_ += size;
+    return ::new (place) T;
+  }
+
+  /// Forgets what was made; keeps the memory for next time.
+  void reset() {
+    current_ = 0;
+    used_ = blocks_.empty() ? block_size : 0;
+  }
+
+  std::size_t bytes() const { return blocks_.size() * block_size; }
+
+ private:
+  static constexpr std::size_t alignment = 64;
+  static constexpr std::size_t block_size = std::size_t{1} << 20;
+
+  struct Free {
+    void operator()(std::byte* memory) const {
+      ::operator delete[](memory, std::align_val_t(alignment));
+    }
+  };
+
+  void next_block() {
+    current_ = blocks_.empty() ? 0 : current_ + 1;
+    if (current_ == blocks_.size()) {
+      blocks_.emplace_back(
+          static_cast<std::byte*>(::operator new[](block_size, std::align_val_t(alignment))));
+    }
+    used_ = 0;
+  }
+
+  std::vector<std::unique_ptr<std::byte[], Free>> blocks_;
+  std::size_t current_ = 0;
+  std::size_t used_ = block_size;
+};
+
+/// Triangles of at most `max_side` × `max_side` samples, 16 at a time side by side: the back end
+/// draws one per lane. Coordinates count from the tile's corner in 1/256 pixel, x in the low half,
+/// y in the high half. Corners are in the order that makes the area positive.
+struct SmallTriangles {
+  static constexpr int capacity = 32;
+  static constexpr int max_side = 8;
+
+  SmallTriangles* next;
+  std::int32_t count;
+  alignas(64) std::array<std::array<std::uint32_t, capacity>, 3> corner;
+  std::array<std::array<float, capacity>, 3> depth;
+  std::array<std::uint32_t, capacity> key;
+};
+
+/// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive.
+struct LargeTriangle {
+  std::array<std::int32_t, 3> x;
+  std::array<std::int32_t, 3> y;
+  std::array<float, 3> depth;
+  std::uint32_t key;
+};
+
+struct LargeTriangles {
+  static constexpr int capacity = 14;
+
+  LargeTriangles* next;
+  std::int32_t count;
+  std::array<const LargeTriangle*, capacity> triangle;
+};
+
+/// What one worker found to draw in one tile.
+struct TileBin {
+  SmallTriangles* small = nullptr;
+  LargeTriangles* large = nullptr;
+};
+
+/// Room for shading a tile, kept from one to the next.
+struct ShadingScratch {
+  std::vector<std::int32_t> slot;      ///< per pixel: its triangle's place in `key`
+  std::vector<std::uint32_t> key;      ///< triangles that are seen in the tile
+  std::vector<std::uint32_t> clipped;  ///< those of them that had to be clipped
+  std::vector<std::uint32_t> table;    ///< hash table from key to place
+  std::vector<double> geometry;
+  std::vector<float> varyings;
+};
+
+/// What belongs to one thread.
+struct Worker {
+  Arena arena;
+  std::vector<TileBin> bins;
+  Statistics statistics;
+  ShadingScratch scratch;
+
+  void begin_batch(int tiles) {
+    arena.reset();
+    bins.assign(static_cast<std::size_t>(tiles), TileBin());
+  }
+
+  SmallTriangles& small_with_room(int tile) {
+    TileBin& bin = bins[static_cast<std::size_t>(tile)];
+    if (bin.small == nullptr || bin.small->count == SmallTriangles::capacity) {
+      auto* chunk = arena.make<SmallTriangles>();
+      chunk->next = bin.small;
+      chunk->count = 0;
+      bin.small = chunk;
+    }
+    return *bin.small;
+  }
+
+  void add_large(int tile, const LargeTriangle* triangle) {
+    TileBin& bin = bins[static_cast<std::size_t>(tile)];
+    if (bin.large == nullptr || bin.large->count == LargeTriangles::capacity) {
+      auto* chunk = arena.make<LargeTriangles>();
+      chunk->next = bin.large;
+      chunk->count = 0;
+      bin.large = chunk;
+    }
+    bin.large->triangle[static_cast<std::size_t>(bin.large->count++)] = triangle;
+  }
+};
+
+}  // namespace rasterlab

@@ -1,0 +1,79 @@
+// A framebuffer as the engine's inside sees it.
+#pragma once
+
+#include "common/engine/framebuffer.h"
+
+namespace rasterlab {
+
+/// One tile's share of a framebuffer.
+struct Tile {
+  int left = 0;  ///< of the picture's pixels
+  int top = 0;
+  int size = 0;   ///< a side, in pixels
+  int width = 0;  ///< what of it lies in the picture
+  int height = 0;
+  float* depth = nullptr;
+  std::uint32_t* key = nullptr;
+  float* block_far = nullptr;
+  Rgb8* color = nullptr;      ///< the tile's first pixel in the picture …
+  std::ptrdiff_t stride = 0;  ///< … and how far it is to the next row
+
+  int blocks_per_row() const { return size / 8; }
+  int block_count() const { return size * size / 64; }
+};
+
+class FrameAccess {
+ public:
+  enum ColorState : std::uint8_t { stale, background, picture };
+
+  explicit FrameAccess(Framebuffer& frame) : frame_(frame) {}
+
+  int width() const { return frame_.width_; }
+  int height() const { return frame_.height_; }
+  int tile_size() const { return frame_.tile_size_; }
+  int tiles_x() const { return frame_.tiles_x_; }
+  int tiles_y() const { return frame_.tiles_y_; }
+  int tile_count() const { return frame_.tile_count(); }
+  std::uint32_t& keys_used() const { return frame_.keys_used_; }
+  float& tile_far(int tile) const { return frame_.tile_far_[static_cast<std::size_t>(tile)]; }
+  const float* tile_fars() const { return frame_.tile_far_.get(); }
+  const float* block_fars() const { return frame_.block_far_.get(); }
+  const std::uint8_t* drawn() const { return frame_.drawn_.data(); }
+
+  Tile tile(int index) const {
+    Tile tile;
+    tile.size = frame_.tile_size_;
+    tile.left = index % frame_.tiles_x_ * tile.size;
+    tile.top = index / frame_.tiles_x_ * tile.size;
+    tile.width = std::min(tile.size, frame_.width_ - tile.left);
+    tile.height = std::min(tile.size, frame_.height_ - tile.top);
+    const auto first = static_cast<std::ptrdiff_t>(index) * frame_.tile_pixels();
+    tile.depth = frame_.depth_.get() + first;
+    tile.key = frame_.key_.get() + first;
+    tile.block_far = frame_.block_far_.get() + first / 64;
+    tile.color = frame_.color_.row(tile.top) + tile.left;
+    tile.stride = frame_.width_;
+    return tile;
+  }
+
+  /// Wipes a tile that nothing was drawn into since clear().
+  void prepare(int index) const {
+    std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(index)];
+    if (drawn != 0) return;
+    const Tile cleared = tile(index);
+    std::fill_n(cleared.depth, frame_.tile_pixels(), 0.0F);
+    std::fill_n(cleared.key, frame_.tile_pixels(), 0U);
+    std::fill_n(cleared.block_far, cleared.block_count(), 0.0F);
+    drawn = 1;
+  }
+
+  std::uint8_t& color_state(int index) const {
+    return frame_.has_color_[static_cast<std::size_t>(index)];
+  }
+  void fill_background(int index) const { frame_.fill_background(index); }
+
+ private:
+  Framebuffer& frame_;
+};
+
+}  // namespace rasterlab

@@ -1,0 +1,64 @@
+// The parts of the engine that are compiled once per instruction set, as a table of functions.
+#pragma once
+
+#include "common/engine/bins.h"
+#include "common/engine/clip_transform.h"
+#include "common/engine/engine_options.h"
+#include "common/engine/frame_access.h"
+#include "common/engine/prepared_mesh.h"
+#include "common/mesh/cull.h"
+
+#include <cstdint>
+#include <span>
+
+namespace rasterlab {
+
+/// Which pixels of 64 (a block of 8×8, row by row, the first in the lowest bit).
+using BlockMask = std::uint64_t;
+
+struct DrawJob;
+
+/// What is compiled once per instruction set and shader.
+struct ShadingKernels {
+  bool may_discard;
+  /// Shades the pixels of a tile that this draw call owns.
+  void (*shade_tile)(const DrawJob& job, const Tile& tile, Worker& worker);
+  /// Of the pixels `covered` of a block of the picture at (left, top), those the shader doesn't
+  /// discard for this triangle.
+  BlockMask (*keep)(const DrawJob& job, std::uint32_t key, int left, int top, BlockMask covered,
+                    Worker& worker);
+};
+
+/// A draw call as the kernels see it.
+struct DrawJob {
+  const PreparedMesh* mesh;
+  ClipTransform transform;
+  Cull cull;  ///< as seen in the picture: `mirrored` is taken care of
+  bool mirrored;
+  Skips skip;
+  std::uint32_t first_key;  ///< of triangle 0; triangle t has first_key + t
+  const void* shader;
+  const ShadingKernels* shading;  ///< nullptr: depth only
+  FrameAccess frame;
+
+  bool discards() const { return shading != nullptr && shading->may_discard; }
+};
+
+/// What of a mesh's clusters is to be drawn, and how near it is at most.
+struct VisibleCluster {
+  std::uint32_t index;
+  float nearest;  ///< reversed depth; infinite when unknown
+};
+
+struct EngineKernels {
+  /// Of clusters [begin, end), begin a multiple of 16, appends those that may be seen.
+  void (*find_visible)(const DrawJob& job, std::uint32_t begin, std::uint32_t end,
+                       std::vector<VisibleCluster>& visible, Statistics& statistics);
+  /// Transforms the clusters' vertices and puts what may be seen of their triangles into bins.
+  void (*bin_clusters)(const DrawJob& job, std::span<const VisibleCluster> clusters,
+                       Worker& worker);
+  /// Draws the depth and keys of what all workers put into one tile's bins.
+  void (*draw_tile)(const DrawJob& job, int tile, std::span<Worker> workers, Worker& worker);
+};
+
+}  // namespace rasterlab

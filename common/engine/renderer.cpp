@@ -1,0 +1,272 @@
+#include "common/engine/renderer.h"
+
+#include "common/engine/kernels.h"
+#include "common/image/check.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
+namespace rasterlab {
+
+#define RASTERLAB_DECLARE_KERNELS(simd) \
+  namespace simd {                      \
+  extern const EngineKernels kernels;   \
+  }
+RASTERLAB_DECLARE_KERNELS(simd_scalar)
+RASTERLAB_DECLARE_KERNELS(simd_ssse3)
+RASTERLAB_DECLARE_KERNELS(simd_sse4)
+RASTERLAB_DECLARE_KERNELS(simd_avx2)
+RASTERLAB_DECLARE_KERNELS(simd_avx512)
+
+namespace {
+
+const EngineKernels& kernels_for(SimdTarget target) {
+  switch (target) {
+#if defined(__x86_64__)
+    case SimdTarget::ssse3:
+      return simd_ssse3::kernels;
+    case SimdTarget::sse4:
+      return simd_sse4::kernels;
+    case SimdTarget::avx2:
+      return simd_avx2::kernels;
+    case SimdTarget::avx512:
+      return simd_avx512::kernels;
+#endif
+    default:
+      return simd_scalar::kernels;
+  }
+}
+
+int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+#if defined(__linux__)
+/// Keeps each thread of an arena on a core of its own; gives the calling thread its cores back.
+class Pinning : public tbb::task_scheduler_observer {
+ public:
+  explicit Pinning(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
+    sched_getaffinity(0, sizeof(allowed_), &allowed_);
+    observe(true);
+  }
+  ~Pinning() override { observe(false); }
+
+  void on_scheduler_entry(bool) override {
+    const int slot = tbb::this_task_arena::current_thread_index();
+    int seen = 0;
+    for (int core = 0; core < CPU_SETSIZE; ++core) {
+      if (!CPU_ISSET(core, &allowed_) || seen++ != slot % CPU_COUNT(&allowed_)) continue;
+      cpu_set_t one;
+      CPU_ZERO(&one);
+      CPU_SET(core, &one);
+      sched_setaffinity(0, sizeof(one), &one);
+    }
+  }
+  void on_scheduler_exit(bool) override { sched_setaffinity(0, sizeof(allowed_), &allowed_); }
+
+ private:
+  cpu_set_t allowed_;
+};
+#endif
+
+}  // namespace
+
+/// The threads, and what each has of its own.
+class Renderer::Threads {
+ public:
+  explicit Threads(const EngineOptions& options)
+      : workers(static_cast<std::size_t>(thread_count(options.threads))),
+        limit_(tbb::global_control::max_allowed_parallelism,
+               std::max(workers.size(), std::size_t{std::thread::hardware_concurrency()})),
+        arena_(static_cast<int>(workers.size())) {
+#if defined(__linux__)
+    if (options.pin_threads) pinning_ = std::make_unique<Pinning>(arena_);
+#endif
+  }
+
+  /// Calls `work(item, worker)` for items 0 … count − 1 in no order; a worker has one caller at a
+  /// time.
+  template <class Work>
+  void for_each(int count, const Work& work) {
+    if (workers.size() == 1) {
+      arena_.execute([&] {
+        for (int item = 0; item < count; ++item) work(item, workers[0]);
+      });
+      return;
+    }
+    std::atomic<int> next = 0;
+    arena_.execute([&] {
+      tbb::parallel_for(
+          std::size_t{0}, workers.size(),
+          [&](std::size_t w) {
+            for (int item = next++; item < count; item = next++) work(item, workers[w]);
+          },
+          tbb::static_partitioner());
+    });
+  }
+
+  std::vector<Worker> workers;
+
+ private:
+  tbb::global_control limit_;  ///< more threads than cores, if so asked
+  tbb::task_arena arena_;
+#if defined(__linux__)
+  std::unique_ptr<Pinning> pinning_;
+#endif
+};
+
+namespace {
+
+/// One draw call on its way.
+template <class Threads>
+class Drawing {
+ public:
+  Drawing(const DrawJob& job, const EngineKernels& kernels, Threads& threads)
+      : job_(job), kernels_(kernels), threads_(threads) {}
+
+  void run() {
+    find_visible();
+    sort_front_to_back();
+    const int batches = batch_count();
+    for (int batch = 0; batch < batches; ++batch) {
+      const std::size_t size = visible_.size();
+      const std::size_t begin = size * static_cast<std::size_t>(batch) / batches;
+      const std::size_t end = size * static_cast<std::size_t>(batch + 1) / batches;
+      draw_batch({visible_.data() + begin, end - begin}, batch + 1 == batches);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t clusters_per_task = 256;
+  static constexpr std::size_t clusters_per_batch = 4096;
+
+  void find_visible() {
+    const auto count = static_cast<std::uint32_t>(job_.mesh->clusters().list.size());
+    const auto tasks = static_cast<int>((count + clusters_per_task - 1) / clusters_per_task);
+    std::vector<std::vector<VisibleCluster>> found(static_cast<std::size_t>(tasks));
+    threads_.for_each(tasks, [&](int task, Worker& worker) {
+      const std::uint32_t begin = static_cast<std::uint32_t>(task) * clusters_per_task;
+      kernels_.find_visible(job_, begin, std::min(begin + clusters_per_task, count),
+                            found[static_cast<std::size_t>(task)], worker.statistics);
+    });
+    for (const auto& part : found) visible_.insert(visible_.end(), part.begin(), part.end());
+  }
+
+  void sort_front_to_back() {
+    if (!job_.skip.front_to_back) return;
+    std::sort(visible_.begin(), visible_.end(),
+              [](const VisibleCluster& a, const VisibleCluster& b) {
+                return a.nearest > b.nearest || (a.nearest == b.nearest && a.index < b.index);
+              });
+  }
+
+  int batch_count() const {
+    return static_cast<int>(
+        std::max<std::size_t>(1, (visible_.size() + clusters_per_batch - 1) / clusters_per_batch));
+  }
+
+  void draw_batch(std::span<const VisibleCluster> clusters, bool last) {
+    const int tiles = job_.frame.tile_count();
+    for (Worker& worker : threads_.workers) worker.begin_batch(tiles);
+    constexpr std::size_t per_task = 16;
+    const auto tasks = static_cast<int>((clusters.size() + per_task - 1) / per_task);
+    threads_.for_each(tasks, [&](int task, Worker& worker) {
+      const std::size_t begin = static_cast<std::size_t>(task) * per_task;
+      kernels_.bin_clusters(
+          job_, clusters.subspan(begin, std::min(per_task, clusters.size() - begin)), worker);
+    });
+    threads_.for_each(tiles, [&](int tile, Worker& worker) { draw_tile(tile, worker, last); });
+  }
+
+  bool anything_binned(int tile) const {
+    return std::any_of(threads_.workers.begin(), threads_.workers.end(), [&](const Worker& w) {
+      const TileBin& bin = w.bins[static_cast<std::size_t>(tile)];
+      return bin.small != nullptr || bin.large != nullptr;
+    });
+  }
+
+  void draw_tile(int tile, Worker& worker, bool last) {
+    if (anything_binned(tile)) {
+      job_.frame.prepare(tile);
+      kernels_.draw_tile(job_, tile, threads_.workers, worker);
+    }
+    if (last) finish_tile(tile, worker);
+  }
+
+  void finish_tile(int tile, Worker& worker) {
+    const bool drawn = job_.frame.drawn()[tile] != 0;
+    ++(drawn ? worker.statistics.tiles_drawn : worker.statistics.tiles_untouched);
+    if (job_.shading == nullptr) return;
+    if (job_.frame.color_state(tile) == FrameAccess::stale) job_.frame.fill_background(tile);
+    if (!drawn) return;
+    job_.shading->shade_tile(job_, job_.frame.tile(tile), worker);
+    job_.frame.color_state(tile) = FrameAccess::picture;
+  }
+
+  const DrawJob& job_;
+  const EngineKernels& kernels_;
+  Threads& threads_;
+  std::vector<VisibleCluster> visible_;
+};
+
+std::uint32_t take_keys(FrameAccess& frame, std::size_t triangles) {
+  constexpr std::size_t limit = std::size_t{1} << 31U;
+  if (frame.keys_used() + triangles + 1 >= limit) {
+    throw CheckError("more than 2^31 triangles were drawn into a framebuffer since it was cleared");
+  }
+  const std::uint32_t first = frame.keys_used() + 1;
+  frame.keys_used() += static_cast<std::uint32_t>(triangles);
+  return first;
+}
+
+Cull cull_in_picture(const DrawCall& call) {
+  if (!call.mirrored || call.cull == Cull::none) return call.cull;
+  return call.cull == Cull::back ? Cull::front : Cull::back;
+}
+
+}  // namespace
+
+Renderer::Renderer(const EngineOptions& options)
+    : options_(options), threads_(std::make_unique<Threads>(options)) {
+  simd_target(name_of(options.simd));
+}
+
+Renderer::~Renderer() = default;
+
+Statistics Renderer::draw(const DrawCall& call, Framebuffer& frame) {
+  if (call.mesh == nullptr) throw CheckError("a draw call without a mesh");
+  const auto start = std::chrono::steady_clock::now();
+  FrameAccess access(frame);
+  const std::uint32_t first_key = take_keys(access, call.mesh->mesh().triangles.size());
+  const DrawJob job = {call.mesh,
+                       ClipTransform(call.matrix, frame.width(), frame.height()),
+                       cull_in_picture(call),
+                       call.mirrored,
+                       options_.skip,
+                       first_key,
+                       call.shading.shader,
+                       call.shading.kernels[static_cast<std::size_t>(options_.simd)],
+                       access};
+  for (Worker& worker : threads_->workers) worker.statistics = {};
+  if (frame.width() > 0 && frame.height() > 0) {
+    Drawing(job, kernels_for(options_.simd), *threads_).run();
+  }
+  Statistics total;
+  for (const Worker& worker : threads_->workers) total += worker.statistics;
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  total.milliseconds = time.count();
+  return total;
+}
+
+}  // namespace rasterlab

@@ -1,0 +1,389 @@
+// The engine's wide numbers: as many lanes as the instruction set this file is compiled for has.
+//
+// Included only by files that rasterlab_add_simd_sources() compiles once per instruction set, each
+// time in a namespace of its own, RASTERLAB_SIMD (simd_scalar … simd_avx512). Every operation is a
+// single correctly rounded one per lane, or built from such in one fixed order: no fused
+// multiply-add, no estimates. So every instruction set gives the same bytes.
+#pragma once
+
+#ifndef RASTERLAB_SIMD
+#error "compile this file with rasterlab_add_simd_sources()"
+#endif
+
+#include "common/image/number.h"
+
+#include <bit>
+#include <cstring>
+#include <type_traits>
+
+#include <hwy/highway.h>
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+inline constexpr int lanes = HWY_LANES(float);
+inline constexpr bool one_lane = lanes == 1;
+
+using FloatTag = hn::CappedTag<float, lanes>;
+using IntTag = hn::CappedTag<std::int32_t, lanes>;
+using UintTag = hn::CappedTag<std::uint32_t, lanes>;
+/// Doubles come as two vectors of half the lanes, or one when there is a single lane.
+inline constexpr int half_lanes = one_lane ? 1 : lanes / 2;
+using DoubleTag = hn::CappedTag<double, half_lanes>;
+using HalfFloatTag = hn::CappedTag<float, half_lanes>;
+using HalfIntTag = hn::CappedTag<std::int32_t, half_lanes>;
+
+// ---------------------------------------------------------------------------------------------
+// One truth value per lane
+
+struct Truth {
+  hn::Mask<FloatTag> mask;
+
+  friend Truth operator&&(Truth a, Truth b) { return {hn::And(a.mask, b.mask)}; }
+  friend Truth operator||(Truth a, Truth b) { return {hn::Or(a.mask, b.mask)}; }
+  friend Truth operator!(Truth a) { return {hn::Not(a.mask)}; }
+};
+
+/// Lane i as bit i.
+inline std::uint32_t bits(Truth truth) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(FloatTag(), truth.mask, bytes);
+  std::uint32_t result = 0;
+  std::memcpy(&result, bytes, 4);
+  return result;
+}
+inline bool any(Truth truth) {
+  return !hn::AllFalse(FloatTag(), truth.mask);
+}
+inline bool all(Truth truth) {
+  return hn::AllTrue(FloatTag(), truth.mask);
+}
+/// Bit i as lane i.
+inline Truth truth_of(std::uint32_t lane_bits) {
+  std::uint8_t bytes[8] = {};
+  std::memcpy(bytes, &lane_bits, 4);
+  return {hn::LoadMaskBits(FloatTag(), bytes)};
+}
+/// The first `count` lanes.
+inline Truth first_lanes(int count) {
+  return {hn::FirstN(FloatTag(), static_cast<std::size_t>(count))};
+}
+
+// ---------------------------------------------------------------------------------------------
+// Integers of 32 bit, wrapping
+
+struct Ints {
+  hn::Vec<IntTag> v;
+
+  Ints() = default;
+  Ints(std::int32_t value) : v(hn::Set(IntTag(), value)) {}
+  explicit Ints(hn::Vec<IntTag> value) : v(value) {}
+
+  friend Ints operator+(Ints a, Ints b) { return Ints(hn::Add(a.v, b.v)); }
+  friend Ints operator-(Ints a, Ints b) { return Ints(hn::Sub(a.v, b.v)); }
+  friend Ints operator*(Ints a, Ints b) { return Ints(hn::Mul(a.v, b.v)); }
+  friend Ints operator&(Ints a, Ints b) { return Ints(hn::And(a.v, b.v)); }
+  friend Ints operator|(Ints a, Ints b) { return Ints(hn::Or(a.v, b.v)); }
+  friend Truth operator<(Ints a, Ints b) { return {hn::RebindMask(FloatTag(), hn::Lt(a.v, b.v))}; }
+  friend Truth operator>(Ints a, Ints b) { return {hn::RebindMask(FloatTag(), hn::Gt(a.v, b.v))}; }
+  friend Truth operator<=(Ints a, Ints b) { return !(a > b); }
+  friend Truth operator>=(Ints a, Ints b) { return !(a < b); }
+  friend Truth operator==(Ints a, Ints b) { return {hn::RebindMask(FloatTag(), hn::Eq(a.v, b.v))}; }
+};
+
+template <int count>
+Ints shift_left(Ints a) {
+  return Ints(hn::ShiftLeft<count>(a.v));
+}
+/// Rounds down, as division by 2^count that keeps the sign.
+template <int count>
+Ints shift_right(Ints a) {
+  return Ints(hn::ShiftRight<count>(a.v));
+}
+inline Ints minimum(Ints a, Ints b) {
+  return Ints(hn::Min(a.v, b.v));
+}
+inline Ints maximum(Ints a, Ints b) {
+  return Ints(hn::Max(a.v, b.v));
+}
+inline Ints select(Truth condition, Ints if_true, Ints if_false) {
+  return Ints(hn::IfThenElse(hn::RebindMask(IntTag(), condition.mask), if_true.v, if_false.v));
+}
+/// first, first + 1, …
+inline Ints iota(std::int32_t first) {
+  return Ints(hn::Iota(IntTag(), first));
+}
+inline Ints load(const std::int32_t* from) {
+  return Ints(hn::LoadU(IntTag(), from));
+}
+inline Ints load(const std::uint32_t* from) {
+  return Ints(hn::BitCast(IntTag(), hn::LoadU(UintTag(), from)));
+}
+inline Ints load(const std::uint8_t* from) {
+  return Ints(hn::PromoteTo(IntTag(), hn::LoadU(hn::CappedTag<std::uint8_t, lanes>(), from)));
+}
+inline void store(Ints a, std::int32_t* to) {
+  hn::StoreU(a.v, IntTag(), to);
+}
+inline void store(Ints a, std::uint32_t* to) {
+  hn::StoreU(hn::BitCast(UintTag(), a.v), UintTag(), to);
+}
+inline Ints gather_ints(const std::int32_t* from, Ints index) {
+  return Ints(hn::GatherIndex(IntTag(), from, index.v));
+}
+inline std::int32_t smallest(Ints a) {
+  return hn::GetLane(hn::MinOfLanes(IntTag(), a.v));
+}
+inline std::int32_t largest(Ints a) {
+  return hn::GetLane(hn::MaxOfLanes(IntTag(), a.v));
+}
+
+// ---------------------------------------------------------------------------------------------
+// Floats: the Number that shaders run on
+
+struct Number {
+  hn::Vec<FloatTag> v;
+
+  Number() = default;
+  Number(float value) : v(hn::Set(FloatTag(), value)) {}
+  explicit Number(hn::Vec<FloatTag> value) : v(value) {}
+
+  friend Number operator+(Number a, Number b) { return Number(hn::Add(a.v, b.v)); }
+  friend Number operator-(Number a, Number b) { return Number(hn::Sub(a.v, b.v)); }
+  friend Number operator*(Number a, Number b) { return Number(hn::Mul(a.v, b.v)); }
+  friend Number operator/(Number a, Number b) { return Number(hn::Div(a.v, b.v)); }
+  friend Number operator-(Number a) { return Number(hn::Neg(a.v)); }
+  Number& operator+=(Number b) { return *this = *this + b; }
+  Number& operator-=(Number b) { return *this = *this - b; }
+  Number& operator*=(Number b) { return *this = *this * b; }
+  Number& operator/=(Number b) { return *this = *this / b; }
+  friend Truth operator<(Number a, Number b) { return {hn::Lt(a.v, b.v)}; }
+  friend Truth operator<=(Number a, Number b) { return {hn::Le(a.v, b.v)}; }
+  friend Truth operator>(Number a, Number b) { return {hn::Gt(a.v, b.v)}; }
+  friend Truth operator>=(Number a, Number b) { return {hn::Ge(a.v, b.v)}; }
+  friend Truth operator==(Number a, Number b) { return {hn::Eq(a.v, b.v)}; }
+  friend Truth operator!=(Number a, Number b) { return !(a == b); }
+};
+
+}  // namespace rasterlab::RASTERLAB_SIMD
+
+namespace Eigen {
+template <>
+struct NumTraits<rasterlab::RASTERLAB_SIMD::Number> : GenericNumTraits<float> {
+  using Real = rasterlab::RASTERLAB_SIMD::Number;
+  using NonInteger = rasterlab::RASTERLAB_SIMD::Number;
+  using Nested = rasterlab::RASTERLAB_SIMD::Number;
+  using Literal = float;
+  enum { RequireInitialization = 0, IsComplex = 0, IsInteger = 0, IsSigned = 1 };
+};
+/// A vector of Numbers may be scaled by a plain float.
+template <class Operation>
+struct ScalarBinaryOpTraits<rasterlab::RASTERLAB_SIMD::Number, float, Operation> {
+  using ReturnType = rasterlab::RASTERLAB_SIMD::Number;
+};
+template <class Operation>
+struct ScalarBinaryOpTraits<float, rasterlab::RASTERLAB_SIMD::Number, Operation> {
+  using ReturnType = rasterlab::RASTERLAB_SIMD::Number;
+};
+namespace internal {
+/// As aligned as the Numbers themselves, which Eigen's own limit of 16 bytes would contradict.
+template <int Size>
+struct compute_default_alignment<rasterlab::RASTERLAB_SIMD::Number, Size> {
+  enum { value = 0 };
+};
+}  // namespace internal
+}  // namespace Eigen
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+inline Number load(const float* from) {
+  return Number(hn::LoadU(FloatTag(), from));
+}
+inline void store(Number a, float* to) {
+  hn::StoreU(a.v, FloatTag(), to);
+}
+inline Number select(Truth condition, Number if_true, Number if_false) {
+  return Number(hn::IfThenElse(condition.mask, if_true.v, if_false.v));
+}
+inline Truth select(Truth condition, Truth if_true, Truth if_false) {
+  return (condition && if_true) || (!condition && if_false);
+}
+inline Number minimum(Number a, Number b) {
+  return select(a < b, a, b);
+}
+inline Number maximum(Number a, Number b) {
+  return select(a > b, a, b);
+}
+inline Number square_root(Number a) {
+  return Number(hn::Sqrt(a.v));
+}
+inline Number magnitude(Number a) {
+  return Number(hn::Abs(a.v));
+}
+inline Number as_numbers(Ints a) {
+  return Number(hn::ConvertTo(FloatTag(), a.v));
+}
+/// Toward zero.
+inline Ints to_whole(Number a) {
+  return Ints(hn::ConvertTo(IntTag(), a.v));
+}
+/// To nearest, ties to even.
+inline Ints round_to_ints(Number a) {
+  return Ints(hn::NearestInt(a.v));
+}
+inline Ints bit_pattern(Number a) {
+  return Ints(hn::BitCast(IntTag(), a.v));
+}
+inline Number from_bit_pattern(Ints a) {
+  return Number(hn::BitCast(FloatTag(), a.v));
+}
+/// Numbers of magnitude 2^23 and above are whole already; the rest fit an integer.
+inline Number round_down(Number a) {
+  const Number whole = as_numbers(to_whole(a));
+  const Number down = select(whole > a, whole - Number(1), whole);
+  return select(magnitude(a) < Number(8388608.0F), down, a);
+}
+inline float smallest(Number a) {
+  return hn::GetLane(hn::MinOfLanes(FloatTag(), a.v));
+}
+inline float largest(Number a) {
+  return hn::GetLane(hn::MaxOfLanes(FloatTag(), a.v));
+}
+inline Number gather_numbers(const float* from, Ints index) {
+  return Number(hn::GatherIndex(FloatTag(), from, index.v));
+}
+
+inline Number gather(const float* array, Number index) {
+  return gather_numbers(array, to_whole(index));
+}
+inline Number gather(const std::uint8_t* array, Number index) {
+  alignas(64) std::int32_t at[lanes];
+  alignas(64) float element[lanes];
+  store(to_whole(index), at);
+  for (int lane = 0; lane < lanes; ++lane) element[lane] = static_cast<float>(array[at[lane]]);
+  return load(element);
+}
+
+inline Vector3<Number> gather_texel(const std::uint32_t* texels, Ints index) {
+  const Ints texel(hn::BitCast(IntTag(), hn::GatherIndex(UintTag(), texels, index.v)));
+  return {as_numbers(texel & Ints(255)), as_numbers(shift_right<8>(texel) & Ints(255)),
+          as_numbers(shift_right<16>(texel) & Ints(255))};
+}
+
+// ---------------------------------------------------------------------------------------------
+// Doubles, for what must be exact beyond 24 bits
+
+struct Doubles {
+  hn::Vec<DoubleTag> low;
+  hn::Vec<DoubleTag> high;  // unused with a single lane
+
+  Doubles() = default;
+  Doubles(double value) : low(hn::Set(DoubleTag(), value)), high(low) {}
+  Doubles(hn::Vec<DoubleTag> l, hn::Vec<DoubleTag> h) : low(l), high(h) {}
+
+  friend Doubles operator+(Doubles a, Doubles b) {
+    return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+  }
+  friend Doubles operator-(Doubles a, Doubles b) {
+    return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+  }
+  friend Doubles operator*(Doubles a, Doubles b) {
+    return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+  }
+  friend Doubles operator/(Doubles a, Doubles b) {
+    return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
+  }
+};
+
+/// Rounded to nearest.
+inline Number to_number(Doubles a) {
+  const HalfFloatTag half;
+#if HWY_TARGET == HWY_SCALAR
+  return Number(hn::DemoteTo(half, a.low));
+#else
+  return Number(hn::Combine(FloatTag(), hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+#endif
+}
+inline Doubles to_doubles(Ints a) {
+#if HWY_TARGET == HWY_SCALAR
+  const auto wide = hn::PromoteTo(DoubleTag(), a.v);
+  return {wide, wide};
+#else
+  const HalfIntTag half;
+  return {hn::PromoteTo(DoubleTag(), hn::LowerHalf(half, a.v)),
+          hn::PromoteTo(DoubleTag(), hn::UpperHalf(half, a.v))};
+#endif
+}
+inline Doubles to_doubles(Number a) {
+#if HWY_TARGET == HWY_SCALAR
+  const auto wide = hn::PromoteTo(DoubleTag(), a.v);
+  return {wide, wide};
+#else
+  const HalfFloatTag half;
+  return {hn::PromoteTo(DoubleTag(), hn::LowerHalf(half, a.v)),
+          hn::PromoteTo(DoubleTag(), hn::UpperHalf(half, a.v))};
+#endif
+}
+inline Doubles load(const double* from) {
+  return {hn::LoadU(DoubleTag(), from), hn::LoadU(DoubleTag(), from + (one_lane ? 0 : half_lanes))};
+}
+inline void store(Doubles a, double* to) {
+  hn::StoreU(a.low, DoubleTag(), to);
+  if constexpr (!one_lane) hn::StoreU(a.high, DoubleTag(), to + half_lanes);
+}
+
+inline Doubles gather_doubles(const double* from, Ints index) {
+#if HWY_TARGET == HWY_SCALAR
+  return Doubles(from[hn::GetLane(index.v)]);
+#else
+  const hn::CappedTag<std::int64_t, half_lanes> wide;
+  const HalfIntTag half;
+  return {hn::GatherIndex(DoubleTag(), from, hn::PromoteTo(wide, hn::LowerHalf(half, index.v))),
+          hn::GatherIndex(DoubleTag(), from, hn::PromoteTo(wide, hn::UpperHalf(half, index.v)))};
+#endif
+}
+
+// ---------------------------------------------------------------------------------------------
+// Logarithm and power, the same bits everywhere
+
+/// log2, for a ≥ 0; of 0, −126 or less. Error below 2e-7 + 1e-7 · |log2 a|: the exponent, plus a
+/// polynomial in s = (m − 1) / (m + 1) for the mantissa m in [√½, √2) (the series of artanh).
+inline Number log_2(Number a) {
+  const Ints pattern = bit_pattern(maximum(a, Number(1.17549435e-38F)));
+  const Ints shifted = pattern - Ints(0x3F3504F3);  // √½
+  const Ints exponent = shift_right<23>(shifted);
+  const Number mantissa = from_bit_pattern(pattern - shift_left<23>(exponent));
+  const Number s = (mantissa - Number(1)) / (mantissa + Number(1));
+  const Number t = s * s;
+  Number series = t * Number(0.32059890F) + Number(0.41219858F);
+  series = series * t + Number(0.57707802F);
+  series = series * t + Number(0.96179669F);
+  return as_numbers(exponent) + (s * Number(2.88539008F) + s * t * series);
+}
+
+/// 2^a, relative error below 3e-7; saturates beyond [−126, 128).
+inline Number exp_2(Number a) {
+  const Number inside = minimum(maximum(a, Number(-126)), Number(127.99999F));
+  const Ints whole = round_to_ints(inside);
+  const Number f = inside - as_numbers(whole);
+  Number series = f * Number(1.54035304e-4F) + Number(1.33335581e-3F);
+  series = series * f + Number(9.61812911e-3F);
+  series = series * f + Number(5.55041087e-2F);
+  series = series * f + Number(2.40226507e-1F);
+  series = series * f + Number(6.93147181e-1F);
+  series = series * f + Number(1);
+  // In two steps, so that 2^128 needn't be representable.
+  const Ints first = shift_right<1>(whole);
+  const Ints second = whole - first;
+  const auto scale = [](Ints e) { return from_bit_pattern(shift_left<23>(e + Ints(127))); };
+  return series * scale(first) * scale(second);
+}
+
+/// 0^0 is 1, 0^exponent is 0.
+inline Number power(Number base, Number exponent) {
+  const Number result = exp_2(exponent * log_2(base));
+  return select(base > Number(0), result, select(exponent == Number(0), Number(1), Number(0)));
+}
+
+}  // namespace rasterlab::RASTERLAB_SIMD

@@ -1,0 +1,406 @@
+// The back end: depth and triangle of every pixel of a tile.
+//
+// Two ways to draw. Triangles of a few pixels are drawn one per lane, all 16 walking over their own
+// pixels at the same time; what they hit goes to the depth buffer one by one. Larger ones are drawn
+// one after the other, in blocks of 8×8 pixels: blocks wholly outside an edge are left out, blocks
+// wholly inside ask no edge.
+//
+// Both compute the same numbers for a pixel. Edge functions are integers, exactly; depth is
+// d0 + (E1·k1 + E2·k2), where E is the edge function rounded to float once and k = (di − d0) / area
+// rounded to float once: within 5 half units in the last place of the largest corner's depth,
+// however thin the triangle.
+#include "common/engine/kernels.h"
+#include "common/engine/simd.h"
+#include "common/engine/simd_kernels.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+namespace {
+
+constexpr int groups = 64 / lanes;  // vectors in a block
+
+/// Per pixel of a block, its place.
+struct BlockPlaces {
+  alignas(64) std::array<std::int32_t, 64> x;
+  alignas(64) std::array<std::int32_t, 64> y;
+
+  constexpr BlockPlaces() : x(), y() {
+    for (std::size_t i = 0; i < 64; ++i) {
+      x[i] = static_cast<std::int32_t>(i % 8);
+      y[i] = static_cast<std::int32_t>(i / 8);
+    }
+  }
+};
+constexpr BlockPlaces places;
+
+// ---------------------------------------------------------------------------------------------
+// Small triangles, one per lane
+
+/// E0, E1, E2 of as many triangles as there are lanes. Small: 32 bit hold every product.
+struct LaneEdge {
+  Ints value;  ///< at the current pixel, less what makes the boundary belong elsewhere
+  Ints step_x;
+  Ints step_y;
+  Ints lessened;  ///< 0 or 1: by how much
+
+  LaneEdge(Ints ax, Ints ay, Ints bx, Ints by, Ints px, Ints py) {
+    const Ints dx = bx - ax;
+    const Ints dy = by - ay;
+    step_x = shift_left<8>(Ints(0) - dy);
+    step_y = shift_left<8>(dx);
+    const Truth owns = step_x > Ints(0) || (step_x == Ints(0) && step_y > Ints(0));
+    lessened = select(owns, Ints(0), Ints(1));
+    value = dx * (py - ay) - dy * (px - ax) - lessened;
+  }
+};
+
+/// As many triangles as there are lanes, ready to walk over.
+struct LaneTriangles {
+  std::array<LaneEdge, 3> edge;
+  Ints left, top;      ///< the first pixel of the tile
+  Ints columns, rows;  ///< pixels to walk over, less one; −1 in lanes without a triangle
+  Number depth, k1, k2;
+};
+
+LaneTriangles load_lanes(const SmallTriangles& triangles, int from, int count, const Tile& tile) {
+  std::array<Ints, 3> x;
+  std::array<Ints, 3> y;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Ints packed = load(triangles.corner[i].data() + from);
+    x[i] = shift_right<16>(shift_left<16>(packed));
+    y[i] = shift_right<16>(packed);
+  }
+  const Ints low_x = minimum(minimum(x[0], x[1]), x[2]);
+  const Ints high_x = maximum(maximum(x[0], x[1]), x[2]);
+  const Ints low_y = minimum(minimum(y[0], y[1]), y[2]);
+  const Ints high_y = maximum(maximum(y[0], y[1]), y[2]);
+  const Ints left = maximum(shift_right<8>(low_x + Ints(127)), Ints(0));
+  const Ints right = minimum(shift_right<8>(high_x - Ints(128)), Ints(tile.width - 1));
+  const Ints top = maximum(shift_right<8>(low_y + Ints(127)), Ints(0));
+  const Ints bottom = minimum(shift_right<8>(high_y - Ints(128)), Ints(tile.height - 1));
+  const Ints px = shift_left<8>(left) + Ints(128);
+  const Ints py = shift_left<8>(top) + Ints(128);
+  const Ints area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+  const Doubles inverse = Doubles(1) / to_doubles(area);
+  const Number d0 = load(triangles.depth[0].data() + from);
+  const Number d1 = load(triangles.depth[1].data() + from);
+  const Number d2 = load(triangles.depth[2].data() + from);
+  const Truth present = first_lanes(std::min(count, lanes));
+  return {{LaneEdge(x[1], y[1], x[2], y[2], px, py), LaneEdge(x[2], y[2], x[0], y[0], px, py),
+           LaneEdge(x[0], y[0], x[1], y[1], px, py)},
+          left,
+          top,
+          select(present, right - left, Ints(-1)),
+          select(present, bottom - top, Ints(-1)),
+          d0,
+          to_number((to_doubles(d1) - to_doubles(d0)) * inverse),
+          to_number((to_doubles(d2) - to_doubles(d0)) * inverse)};
+}
+
+/// Draws hits into a tile one by one.
+class HitWriter {
+ public:
+  explicit HitWriter(const Tile& tile) : tile_(tile) {}
+
+  /// Lanes of `hit` at tile pixel `pixel`.
+  void write(std::uint32_t hit, Ints pixel, Number depth, const std::uint32_t* key) {
+    alignas(64) std::array<std::int32_t, lanes> pixel_of;
+    alignas(64) std::array<float, lanes> depth_of;
+    store(pixel, pixel_of.data());
+    store(depth, depth_of.data());
+    for (; hit != 0; hit &= hit - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
+      const std::int32_t p = pixel_of[lane];
+      const float d = depth_of[lane];
+      if (d > tile_.depth[p] || (d == tile_.depth[p] && key[lane] < tile_.key[p])) {
+        tile_.depth[p] = d;
+        tile_.key[p] = key[lane];
+        written_ |= BlockMask{1} << (p >> 6);
+      }
+    }
+  }
+
+  BlockMask written_blocks() const { return written_; }
+
+ private:
+  const Tile& tile_;
+  BlockMask written_ = 0;
+};
+
+void draw_lanes(const Tile& tile, LaneTriangles t, const std::uint32_t* key, HitWriter& writer) {
+  const std::int32_t columns = largest(t.columns);
+  const std::int32_t rows = largest(t.rows);
+  const Ints block_row(64 * tile.blocks_per_row() - 64);
+  for (std::int32_t row = 0; row <= rows; ++row) {
+    std::array<Ints, 3> e = {t.edge[0].value, t.edge[1].value, t.edge[2].value};
+    const Ints y = t.top + Ints(row);
+    for (std::int32_t column = 0; column <= columns; ++column) {
+      // Negative: outside an edge, or beyond the lane's own pixels.
+      const Ints outside =
+          (e[0] | e[1] | e[2]) | ((t.columns - Ints(column)) | (t.rows - Ints(row)));
+      const std::uint32_t hit = bits(outside >= Ints(0));
+      if (hit != 0) {
+        const Ints x = t.left + Ints(column);
+        const Number depth = t.depth + (as_numbers(e[1] + t.edge[1].lessened) * t.k1 +
+                                        as_numbers(e[2] + t.edge[2].lessened) * t.k2);
+        const Ints pixel =
+            (x + shift_right<3>(x) * Ints(56)) + (shift_left<3>(y) + shift_right<3>(y) * block_row);
+        writer.write(hit, pixel, depth, key);
+      }
+      for (std::size_t i = 0; i < 3; ++i) e[i] = e[i] + t.edge[i].step_x;
+    }
+    for (LaneEdge& edge : t.edge) edge.value = edge.value + edge.step_y;
+  }
+}
+
+void draw_small(const Tile& tile, const SmallTriangles& triangles, HitWriter& writer) {
+  for (int from = 0; from < triangles.count; from += lanes) {
+    draw_lanes(tile, load_lanes(triangles, from, triangles.count - from, tile),
+               triangles.key.data() + from, writer);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Large triangles, one by one in blocks of 8×8
+
+/// An edge function over one tile of at most 64×64 pixels.
+///
+/// Pixels are 256 units apart, so whether the function is at least 0 can be asked of it divided by
+/// 256 and rounded down, whose steps are coordinate differences, below 2^24 in magnitude. Over a
+/// tile it changes by less than 2^31; if it has both signs there, it fits 32 bits everywhere.
+struct TileEdge {
+  std::int64_t exact;   ///< at the tile's first pixel
+  std::int32_t step_x;  ///< of the divided function, per pixel
+  std::int32_t step_y;
+  std::int32_t divided;  ///< at the tile's first pixel; all three are 0 when all the tile is inside
+  std::int32_t test_x;
+  std::int32_t test_y;
+  bool misses;  ///< all the tile is outside
+
+  TileEdge() = default;
+  TileEdge(const LargeTriangle& t, std::size_t i, const Tile& tile) {
+    const std::size_t a = (i + 1) % 3;
+    const std::size_t b = (i + 2) % 3;
+    step_x = t.y[a] - t.y[b];
+    step_y = t.x[b] - t.x[a];
+    const std::int64_t px = tile.left * 256 + 128;
+    const std::int64_t py = tile.top * 256 + 128;
+    exact = step_y * (py - t.y[a]) + step_x * (px - t.x[a]);
+    const bool owns = step_x > 0 || (step_x == 0 && step_y > 0);
+    const std::int64_t first = (exact - (owns ? 0 : 1)) >> 8;
+    const std::int64_t reach = tile.size - 1;
+    const std::int64_t low = first + reach * (std::min(step_x, 0) + std::min(step_y, 0));
+    const std::int64_t high = first + reach * (std::max(step_x, 0) + std::max(step_y, 0));
+    misses = high < 0;
+    const bool asks = low < 0;
+    divided = asks && !misses ? static_cast<std::int32_t>(first) : 0;
+    test_x = asks ? step_x : 0;
+    test_y = asks ? step_y : 0;
+  }
+};
+
+class LargeDrawing {
+ public:
+  LargeDrawing(const DrawJob& job, const Tile& tile, const LargeTriangle& triangle)
+      : job_(job), tile_(tile), triangle_(triangle) {
+    for (std::size_t i = 0; i < 3; ++i) edge_[i] = TileEdge(triangle, i, tile);
+  }
+
+  bool misses() const { return edge_[0].misses || edge_[1].misses || edge_[2].misses; }
+
+  void draw(Worker& worker) {
+    find_blocks(worker.statistics);
+    if (touched_ == 0) return;
+    prepare_depth();
+    if ((touched_ & ~inside_) != 0) prepare_coverage();
+    for (BlockMask rest = touched_; rest != 0; rest &= rest - 1) {
+      const int block = std::countr_zero(rest);
+      if ((inside_ >> block & 1U) != 0) {
+        draw_block<true>(block, worker);
+      } else {
+        draw_block<false>(block, worker);
+      }
+    }
+  }
+
+ private:
+  /// Which blocks may have a covered pixel, which are covered wholly.
+  void find_blocks(Statistics& statistics) {
+    const int per_row = tile_.blocks_per_row();
+    const Ints shift_mask(per_row - 1);
+    const float nearest =
+        std::max({triangle_.depth[0], triangle_.depth[1], triangle_.depth[2]}) * 1.000001F;
+    for (int first = 0; first < tile_.block_count(); first += lanes) {
+      const Ints block = iota(first);
+      const Ints bx = block & shift_mask;
+      const Ints by = per_row == 8   ? shift_right<3>(block)
+                      : per_row == 4 ? shift_right<2>(block)
+                                     : shift_right<1>(block);
+      const Ints x = shift_left<3>(bx);
+      const Ints y = shift_left<3>(by);
+      Ints best(0);   // negative: outside an edge
+      Ints worst(0);  // negative: not wholly inside
+      for (const TileEdge& e : edge_) {
+        const Ints at = Ints(e.divided) + x * Ints(e.test_x) + y * Ints(e.test_y);
+        best = best | (at + Ints(7 * (std::max(e.test_x, 0) + std::max(e.test_y, 0))));
+        worst = worst | (at + Ints(7 * (std::min(e.test_x, 0) + std::min(e.test_y, 0))));
+      }
+      const Truth present = first_lanes(std::min(lanes, tile_.block_count() - first));
+      Truth touched = best >= Ints(0) && present && in_bounds(x, y);
+      if (job_.skip.hidden) {
+        const Truth hidden = touched && load(tile_.block_far + first) > Number(nearest);
+        statistics.blocks_hidden += static_cast<unsigned>(std::popcount(bits(hidden)));
+        touched = touched && !hidden;
+      }
+      touched_ |= static_cast<BlockMask>(bits(touched)) << first;
+      inside_ |= static_cast<BlockMask>(bits(touched && worst >= Ints(0))) << first;
+    }
+  }
+
+  /// Whether blocks reach into the box around the triangle.
+  Truth in_bounds(Ints x, Ints y) const {
+    const auto [low_x, high_x] = std::minmax({triangle_.x[0], triangle_.x[1], triangle_.x[2]});
+    const auto [low_y, high_y] = std::minmax({triangle_.y[0], triangle_.y[1], triangle_.y[2]});
+    return x + Ints(7) >= Ints(((low_x + 127) >> 8) - tile_.left) &&
+           x <= Ints(((high_x - 128) >> 8) - tile_.left) &&
+           y + Ints(7) >= Ints(((low_y + 127) >> 8) - tile_.top) &&
+           y <= Ints(((high_y - 128) >> 8) - tile_.top);
+  }
+
+  void prepare_depth() {
+    const auto area = static_cast<double>(edge_[0].step_y) * (triangle_.y[0] - triangle_.y[1]) +
+                      static_cast<double>(edge_[0].step_x) * (triangle_.x[0] - triangle_.x[1]);
+    const double inverse = 1.0 / area;
+    const double d0 = triangle_.depth[0];
+    k1_ = static_cast<float>((triangle_.depth[1] - d0) * inverse);
+    k2_ = static_cast<float>((triangle_.depth[2] - d0) * inverse);
+    for (std::size_t g = 0; g < groups; ++g) {
+      const Doubles x = to_doubles(load(places.x.data() + g * lanes)) * Doubles(256);
+      const Doubles y = to_doubles(load(places.y.data() + g * lanes)) * Doubles(256);
+      offset1_[g] = x * Doubles(edge_[1].step_x) + y * Doubles(edge_[1].step_y);
+      offset2_[g] = x * Doubles(edge_[2].step_x) + y * Doubles(edge_[2].step_y);
+    }
+  }
+
+  void prepare_coverage() {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t g = 0; g < groups; ++g) {
+        coverage_[i][g] = load(places.x.data() + g * lanes) * Ints(edge_[i].test_x) +
+                          load(places.y.data() + g * lanes) * Ints(edge_[i].test_y);
+      }
+    }
+  }
+
+  /// Exact, in a double, at the block's first pixel.
+  static double exact_at(const TileEdge& edge, int x, int y) {
+    return static_cast<double>(edge.exact) +
+           256.0 * (static_cast<double>(edge.step_x) * x + static_cast<double>(edge.step_y) * y);
+  }
+
+  template <bool whole>
+  void draw_block(int block, Worker& worker) {
+    const int x = block % tile_.blocks_per_row() * 8;
+    const int y = block / tile_.blocks_per_row() * 8;
+    const Doubles e1(exact_at(edge_[1], x, y));
+    const Doubles e2(exact_at(edge_[2], x, y));
+    std::array<Ints, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = Ints(edge_[i].divided + edge_[i].test_x * x + edge_[i].test_y * y);
+    }
+    float* depth_there = tile_.depth + block * 64;
+    std::uint32_t* key_there = tile_.key + block * 64;
+    const Ints key(static_cast<std::int32_t>(triangle_.key));
+    const auto depth_of = [&](std::size_t g) {
+      return Number(triangle_.depth[0]) + (to_number(e1 + offset1_[g]) * Number(k1_) +
+                                           to_number(e2 + offset2_[g]) * Number(k2_));
+    };
+    const auto nearer_in = [&](std::size_t g, Number depth, Number old_depth, Ints old_key) {
+      const Truth nearer = depth > old_depth || (depth == old_depth && key < old_key);
+      if constexpr (whole) return nearer;
+      const Ints outside =
+          (at[0] + coverage_[0][g]) | (at[1] + coverage_[1][g]) | (at[2] + coverage_[2][g]);
+      return nearer && outside >= Ints(0);
+    };
+    BlockMask kept = ~BlockMask{0};
+    if (job_.discards()) {
+      kept = 0;
+      for (std::size_t g = 0; g < groups; ++g) {
+        const Truth nearer =
+            nearer_in(g, depth_of(g), load(depth_there + g * lanes), load(key_there + g * lanes));
+        kept |= static_cast<BlockMask>(bits(nearer)) << (g * lanes);
+      }
+      kept = job_.shading->keep(job_, triangle_.key, tile_.left + x, tile_.top + y, kept, worker);
+    }
+    Number far(3.4e38F);
+    for (std::size_t g = 0; g < groups; ++g) {
+      const Number old_depth = load(depth_there + g * lanes);
+      const Number depth = depth_of(g);
+      const Ints old_key = load(key_there + g * lanes);
+      Truth nearer = nearer_in(g, depth, old_depth, old_key);
+      if (kept != ~BlockMask{0}) {
+        nearer = nearer && truth_of(static_cast<std::uint32_t>(kept >> (g * lanes)));
+      }
+      const Number new_depth = select(nearer, depth, old_depth);
+      store(new_depth, depth_there + g * lanes);
+      store(select(nearer, key, old_key), key_there + g * lanes);
+      far = minimum(far, new_depth);
+    }
+    tile_.block_far[block] = smallest(far);
+  }
+
+  const DrawJob& job_;
+  const Tile& tile_;
+  const LargeTriangle& triangle_;
+  std::array<TileEdge, 3> edge_;
+  BlockMask touched_ = 0;
+  BlockMask inside_ = 0;
+  float k1_ = 0;
+  float k2_ = 0;
+  std::array<Doubles, groups> offset1_;
+  std::array<Doubles, groups> offset2_;
+  std::array<std::array<Ints, groups>, 3> coverage_;
+};
+
+// ---------------------------------------------------------------------------------------------
+// A tile
+
+void update_far(const Tile& tile, BlockMask blocks) {
+  for (; blocks != 0; blocks &= blocks - 1) {
+    const int block = std::countr_zero(blocks);
+    Number far = load(tile.depth + block * 64);
+    for (int g = 1; g < groups; ++g) {
+      far = minimum(far, load(tile.depth + block * 64 + g * lanes));
+    }
+    tile.block_far[block] = smallest(far);
+  }
+}
+
+}  // namespace
+
+void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker& worker) {
+  const Tile tile = job.frame.tile(index);
+  for (const Worker& from : workers) {
+    for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].large; chunk != nullptr;
+         chunk = chunk->next) {
+      for (int i = 0; i < chunk->count; ++i) {
+        LargeDrawing drawing(job, tile, *chunk->triangle[static_cast<std::size_t>(i)]);
+        if (!drawing.misses()) drawing.draw(worker);
+      }
+    }
+  }
+  HitWriter writer(tile);
+  for (const Worker& from : workers) {
+    for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].small; chunk != nullptr;
+         chunk = chunk->next) {
+      draw_small(tile, *chunk, writer);
+    }
+  }
+  update_far(tile, writer.written_blocks());
+  job.frame.tile_far(index) =
+      *std::min_element(tile.block_far, tile.block_far + tile.block_count());
+}
+
+}  // namespace rasterlab::RASTERLAB_SIMD

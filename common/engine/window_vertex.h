@@ -1,0 +1,186 @@
+// Vertices to the window, as many at once as there are lanes; and the clipping of the few triangles
+// that reach behind the near plane or far outside the picture.
+#pragma once
+
+#include "common/engine/clip_transform.h"
+#include "common/engine/simd.h"
+
+#include <algorithm>
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+struct ClipPoints {
+  Number x, y, z, w;
+};
+
+/// One row: in this order of operations, which the exercise code has too.
+inline Number apply_row(const std::array<float, 4>& row, Number x, Number y, Number z) {
+  return ((Number(row[0]) * x + Number(row[1]) * y) + Number(row[2]) * z) + Number(row[3]);
+}
+
+inline ClipPoints to_clip(const ClipTransform& transform, Number x, Number y, Number z) {
+  return {apply_row(transform.row[0], x, y, z), apply_row(transform.row[1], x, y, z),
+          apply_row(transform.row[2], x, y, z), apply_row(transform.row[3], x, y, z)};
+}
+
+struct WindowPoints {
+  Ints x, y;     ///< in 1/256 pixel
+  Truth direct;  ///< whether they can be used: in front of the near plane, and not too far outside
+};
+
+inline WindowPoints to_window(const ClipTransform& transform, const ClipPoints& clip) {
+  const Number x = (clip.x / clip.w + Number(1)) * Number(transform.half_width) * Number(256);
+  const Number y = (Number(1) - clip.y / clip.w) * Number(transform.half_height) * Number(256);
+  const Number limit(static_cast<float>(max_window_coordinate));
+  const Number reach_x = Number(transform.guard_x) * clip.w;
+  const Number reach_y = Number(transform.guard_y) * clip.w;
+  const Truth direct = clip.w > Number(0) && clip.z + clip.w >= Number(0) &&
+                       magnitude(clip.x) <= reach_x && magnitude(clip.y) <= reach_y &&
+                       magnitude(x) <= limit && magnitude(y) <= limit;  // infinities
+  return {round_to_ints(x), round_to_ints(y), direct};
+}
+
+/// (w − z) / 2w, to nearest.
+inline Number reversed_depth(const ClipTransform& transform, Number x, Number y, Number z,
+                             Number w) {
+  const auto& row = transform.depth_row;
+  const Doubles numerator = ((Doubles(row[0]) * to_doubles(x) + Doubles(row[1]) * to_doubles(y)) +
+                             Doubles(row[2]) * to_doubles(z)) +
+                            Doubles(row[3]);
+  return to_number(numerator / to_doubles(w));
+}
+
+// ---------------------------------------------------------------------------------------------
+// Clipping, one triangle at a time
+
+/// A corner of what is left of a triangle.
+struct ClippedCorner {
+  float x, y, z, w;  ///< clip space
+  double depth;      ///< numerator of the reversed depth
+  double b1, b2;     ///< where in the triangle: weights of its corners 1 and 2
+};
+
+struct ClippedPolygon {
+  static constexpr int capacity = 8;  // a triangle and one corner more for each of five planes
+  int size = 0;
+  std::array<ClippedCorner, capacity> corner;
+
+  void add(const ClippedCorner& c) { corner[static_cast<std::size_t>(size++)] = c; }
+};
+
+/// From a corner inside to one outside: so two triangles that share the side cut it alike.
+inline ClippedCorner cut(const ClippedCorner& inside, const ClippedCorner& outside,
+                         float inside_distance, float outside_distance) {
+  const float t = inside_distance / (inside_distance - outside_distance);
+  const auto mix = [t](float a, float b) { return a + t * (b - a); };
+  const auto mix_double = [t](double a, double b) { return a + static_cast<double>(t) * (b - a); };
+  return {mix(inside.x, outside.x),
+          mix(inside.y, outside.y),
+          mix(inside.z, outside.z),
+          mix(inside.w, outside.w),
+          mix_double(inside.depth, outside.depth),
+          mix_double(inside.b1, outside.b1),
+          mix_double(inside.b2, outside.b2)};
+}
+
+/// Keeps what has distance ≥ 0, which not a number has not (Sutherland and Hodgman, "Reentrant
+/// Polygon Clipping", CACM 1974).
+template <class Distance>
+ClippedPolygon clip_to_plane(const ClippedPolygon& polygon, Distance distance) {
+  ClippedPolygon result;
+  for (int i = 0; i < polygon.size; ++i) {
+    const ClippedCorner& a = polygon.corner[static_cast<std::size_t>(i)];
+    const ClippedCorner& b = polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)];
+    const float da = distance(a);
+    const float db = distance(b);
+    if (da >= 0) result.add(a);
+    if (da >= 0 && !(db >= 0)) result.add(cut(a, b, da, db));
+    if (!(da >= 0) && db >= 0) result.add(cut(b, a, db, da));
+  }
+  return result;
+}
+
+/// Positions of a triangle's corners in object space.
+using TrianglePositions = std::array<std::array<float, 3>, 3>;
+
+inline ClippedCorner to_clipped_corner(const ClipTransform& transform,
+                                       const std::array<float, 3>& p) {
+  const auto row = [&](std::size_t r) {
+    const auto& m = transform.row[r];
+    return ((m[0] * p[0] + m[1] * p[1]) + m[2] * p[2]) + m[3];
+  };
+  const auto& d = transform.depth_row;
+  return {row(0), row(1), row(2), row(3), ((d[0] * p[0] + d[1] * p[1]) + d[2] * p[2]) + d[3], 0, 0};
+}
+
+/// What of a triangle is in front of the near plane and within the guard band, far outside the
+/// picture. Corners may be any floats.
+inline ClippedPolygon clip_triangle(const ClipTransform& transform,
+                                    const TrianglePositions& positions) {
+  ClippedPolygon polygon;
+  for (std::size_t i = 0; i < 3; ++i) {
+    ClippedCorner corner = to_clipped_corner(transform, positions[i]);
+    corner.b1 = i == 1 ? 1 : 0;
+    corner.b2 = i == 2 ? 1 : 0;
+    polygon.add(corner);
+  }
+  const auto clip = [&](auto distance) { polygon = clip_to_plane(polygon, distance); };
+  const float guard_x = transform.guard_x;
+  const float guard_y = transform.guard_y;
+  clip([](const ClippedCorner& c) { return c.z + c.w; });
+  clip([=](const ClippedCorner& c) { return guard_x * c.w + c.x; });
+  clip([=](const ClippedCorner& c) { return guard_x * c.w - c.x; });
+  clip([=](const ClippedCorner& c) { return guard_y * c.w + c.y; });
+  clip([=](const ClippedCorner& c) { return guard_y * c.w - c.y; });
+  return polygon;
+}
+
+/// A window position in 1/256 pixel.
+struct SnappedCorner {
+  std::int32_t x, y;
+};
+
+/// Three corners of a clipped polygon in the window.
+struct ClippedPart {
+  std::array<const ClippedCorner*, 3> corner;
+  std::array<SnappedCorner, 3> snapped;
+};
+
+/// False when rounding, or a corner that is no number, left it nowhere.
+inline bool snap(const ClipTransform& transform, const ClippedCorner& c, SnappedCorner& snapped) {
+  const float x = (c.x / c.w + 1.0F) * transform.half_width * 256.0F;
+  const float y = (1.0F - c.y / c.w) * transform.half_height * 256.0F;
+  constexpr auto limit = static_cast<float>(max_window_coordinate);
+  if (!(c.w > 0 && x <= limit && x >= -limit && y <= limit && y >= -limit)) return false;
+  // Adding and taking away 1.5 · 2^52 rounds a double to nearest, ties to even.
+  constexpr double rounder = 0x1.8p52;
+  const auto round = [](float a) {
+    return static_cast<std::int32_t>((static_cast<double>(a) + rounder) - rounder);
+  };
+  snapped = {round(x), round(y)};
+  return true;
+}
+
+/// Calls `visit(const ClippedPart&)` for the triangles that make up a clipped polygon.
+template <class Visit>
+void for_each_part(const ClipTransform& transform, const ClippedPolygon& polygon, Visit&& visit) {
+  for (int i = 2; i < polygon.size; ++i) {
+    ClippedPart part;
+    part.corner = {&polygon.corner[0], &polygon.corner[static_cast<std::size_t>(i - 1)],
+                   &polygon.corner[static_cast<std::size_t>(i)]};
+    bool somewhere = true;
+    for (std::size_t c = 0; c < 3; ++c) {
+      somewhere = somewhere && snap(transform, *part.corner[c], part.snapped[c]);
+    }
+    if (somewhere) visit(part);
+  }
+}
+
+/// Twice the area of (a, b, c): positive when c is to the right of the way from a to b, y down.
+inline std::int64_t twice_area(const SnappedCorner& a, const SnappedCorner& b,
+                               const SnappedCorner& c) {
+  return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) -
+         static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
+}
+
+}  // namespace rasterlab::RASTERLAB_SIMD

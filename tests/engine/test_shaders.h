@@ -1,0 +1,51 @@
+// Shaders that show what they were given, for tests.
+#pragma once
+
+#include "common/mesh/shader_types.h"
+
+namespace rasterlab {
+
+/// Normals and positions into colours through everything number.h offers.
+struct BusyShader {
+  template <class Number>
+  struct Varyings {
+    Vector3<Number> normal;
+    Vector3<Number> position;
+  };
+
+  Varyings<float> vertex(const Mesh& mesh, std::uint32_t triangle, int corner) const {
+    const std::uint32_t index = mesh.triangles[triangle][static_cast<std::size_t>(corner)];
+    return {mesh.normals[index], mesh.positions[index]};
+  }
+
+  template <class Number>
+  Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    const Vector3<Number> normal = normalized(point.value.normal);
+    const Number facing = maximum(normal.z(), Number(0));
+    const Number shine = power(facing, Number(10));
+    const Number stripes =
+        point.value.position.x() * Number(8) - round_down(point.value.position.x() * Number(8));
+    const Number slope = log_2(magnitude(point.dx.position.x()) + Number(1e-6F)) * Number(-0.05F);
+    return {select(point.front_facing, facing, Number(0.2F)), stripes, minimum(shine, slope)};
+  }
+};
+
+/// Leaves holes.
+struct HolesShader : BusyShader {
+  template <class Number>
+  Fragment<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    const Number x = point.value.position.x() * Number(10);
+    const Number y = point.value.position.y() * Number(10);
+    return {BusyShader::fragment(point),
+            x - round_down(x) < Number(0.4F) || y - round_down(y) < Number(0.3F)};
+  }
+};
+
+/// Knows floats only.
+struct PlainShader : BusyShader {
+  Vector3<float> fragment(const SurfacePoint<Varyings, float>& point) const {
+    return {point.value.position.x(), point.value.position.y(), point.front_facing ? 1.0F : 0.0F};
+  }
+};
+
+}  // namespace rasterlab

@@ -1,0 +1,7 @@
+#include "tests/engine/test_shaders.h"
+
+#include "common/engine/shade_tile.h"
+
+RASTERLAB_SHADER(rasterlab::BusyShader)
+RASTERLAB_SHADER(rasterlab::HolesShader)
+RASTERLAB_SHADER(rasterlab::PlainShader)
