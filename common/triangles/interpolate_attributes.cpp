@@ -1,0 +1,12 @@
+#include "common/triangles/interpolate_attributes.h"
+
+namespace rasterlab {
+
+Eigen::VectorXd interpolate_attributes(const Eigen::MatrixX3d& at_corners,
+                                       const Eigen::Vector3d& weights) {
+  const auto origin = at_corners.col(0);
+  return origin + weights[1] * (at_corners.col(1) - origin) +
+         weights[2] * (at_corners.col(2) - origin);
+}
+
+}  // namespace rasterlab
