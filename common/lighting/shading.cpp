@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace rasterlab {
 namespace {
@@ -64,17 +63,6 @@ DrawCounts shade_phong(const LitMesh& lit_mesh, Frame& frame) {
                    [&](std::uint32_t triangle, const TrianglePixel& pixel) {
                      return lighting.light(interpolate(corners(triangle), pixel.weights));
                    });
-}
-
-const std::vector<ShadingRung>& shading_ladder() {
-  static const std::vector<ShadingRung> ladder = {
-      {"flat", "every face is seen as one: edges show, more than they should (Mach bands)",
-       &shade_flat},
-      {"gouraud", "highlights smaller than a face are lost or jump from vertex to vertex",
-       &shade_gouraud},
-      {"phong", "none, but for what interpolated normals can say of a surface", &shade_phong},
-  };
-  return ladder;
 }
 
 }  // namespace rasterlab

@@ -10,9 +10,8 @@
 #include "common/projection/frame.h"
 #include "common/projection/scene.h"
 
+#include <array>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include <Eigen/Dense>
 
@@ -53,10 +52,10 @@ DrawCounts shade_phong(const LitMesh& lit_mesh, Frame& frame);
 ///
 /// Source: B.gouraud, A.Q34, C.4.
 struct ShadingRung {
-  std::string name;
-  std::string known_fault;
+  const char* name;
   ShadeFunction shade;
+  const char* known_fault;
 };
-const std::vector<ShadingRung>& shading_ladder();
+extern const std::array<ShadingRung, 3> shading_ladder;
 
 }  // namespace rasterlab

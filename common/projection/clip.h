@@ -6,7 +6,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -53,10 +52,10 @@ ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f
 
 /// The ladder, worst first.
 struct ClipRung {
-  std::string name;
-  std::string known_fault;
+  const char* name;
   ClipFunction clip;
+  const char* known_fault;
 };
-const std::vector<ClipRung>& clip_ladder();
+extern const std::array<ClipRung, 3> clip_ladder;
 
 }  // namespace rasterlab

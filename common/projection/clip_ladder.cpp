@@ -20,16 +20,13 @@ Eigen::Vector2f guard_band(int width, int height) {
   return {band(width), band(height)};
 }
 
-const std::vector<ClipRung>& clip_ladder() {
-  static const std::vector<ClipRung> ladder = {
-      {"drop", "holes: a triangle that reaches behind the eye is missing as a whole", &clip_drop},
-      {"near",
-       "neighbours cut their shared edge from opposite ends and may disagree in the last bit; what "
-       "reaches far beyond the picture is lost",
-       &clip_near},
-      {"homogeneous", "none", &clip_homogeneous},
-  };
-  return ladder;
-}
+const std::array<ClipRung, 3> clip_ladder = {{
+    {"drop", &clip_drop, "a triangle that reaches behind the eye is missing as a whole"},
+    {"near", &clip_near,
+     "neighbours cut a shared edge from opposite ends and may disagree in the last bit; what "
+     "reaches "
+     "far beyond the picture is lost"},
+    {"homogeneous", &clip_homogeneous, "none"},
+}};
 
 }  // namespace rasterlab

@@ -28,17 +28,17 @@ namespace rasterlab {
 /// What is drawn and how: loaded and decided once, the same for every frame.
 struct Subject {
   Mesh mesh;
-  std::optional<Color> color;  ///< --color; not given: the mesh's own colours, else grey
-  Material material;
-  Image<Rgb8> texture;  ///< this and the next two are empty where not given
-  Image<Rgb8> normal_map;
-  Image<Rgb8> specular_map;
-  std::string shader;  ///< this and the next two are among those the stage offers
-  std::string filter;
-  std::string wrap;
+  std::optional<Color> color = {};  ///< --color; not given: the mesh's own colours, else grey
+  Material material = {};
+  Image<Rgb8> texture = {};  ///< this and the next two are empty where not given
+  Image<Rgb8> normal_map = {};
+  Image<Rgb8> specular_map = {};
+  std::string shader = {};  ///< this and the next two are among those the stage offers
+  std::string filter = {};
+  std::string wrap = {};
   Cull cull = Cull::none;
-  int threads = 0;   ///< of the tiled engine; 0: all cores
-  std::string simd;  ///< of the tiled engine; empty: the best there is
+  int threads = 0;        ///< of the tiled engine; 0: all cores
+  std::string simd = {};  ///< of the tiled engine; empty: the best there is
 };
 
 /// From where a frame is seen and in which light.
