@@ -59,7 +59,7 @@ Eigen::Matrix4f rotation(float degrees, const Eigen::Vector3f& axis) {
 
 // The depths that were drawn, near ones bright.
 Image<std::uint8_t> depth_picture(const Frame& frame) {
-  Image<float> drawn = frame.depth;
+  Image<float> drawn = frame.depth.depths();
   for (float& depth : drawn.pixels()) {
     if (depth == 1) depth = infinity;
   }

@@ -74,8 +74,7 @@ DrawCounts draw_mesh(const Mesh& mesh, const Transforms& transforms, Cull cull, 
     }
     for_each_pixel(corners, frame.width(), frame.height(), options, counts,
                    [&](const TrianglePixel& pixel) {
-                     float& nearest = frame.depth.row(pixel.y)[pixel.x];
-                     if (!(pixel.depth < nearest)) {
+                     if (!frame.depth.test(pixel.x, pixel.y, pixel.depth)) {
                        ++counts.hidden;
                        return;
                      }
@@ -84,7 +83,7 @@ DrawCounts draw_mesh(const Mesh& mesh, const Transforms& transforms, Cull cull, 
                        ++counts.discarded;
                        return;
                      }
-                     nearest = pixel.depth;
+                     frame.depth.write(pixel.x, pixel.y, pixel.depth);
                      frame.color.row(pixel.y)[pixel.x] = to_rgb8(fragment.color);
                      if (!frame.distance.empty()) {
                        frame.distance.row(pixel.y)[pixel.x] = interpolate(distances, pixel.weights);

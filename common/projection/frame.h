@@ -3,6 +3,7 @@
 
 #include "common/image/image.h"
 #include "common/image/pixel.h"
+#include "common/zbuffer/depth_buffer.h"
 
 #include <cstdint>
 #include <limits>
@@ -12,7 +13,7 @@ namespace rasterlab {
 /// Pictures of one size, drawn together.
 struct Frame {
   Image<Rgb8> color;
-  Image<float> depth;  ///< NDC z; +1 where nothing was drawn
+  DepthBuffer depth;
 
   /// Positive distance along the view axis, +∞ where nothing was drawn. Empty: not asked for.
   Image<float> distance = {};
@@ -25,13 +26,13 @@ struct Frame {
 
 /// A black frame where nothing was drawn yet, without distances and ids.
 inline Frame make_frame(int width, int height) {
-  return {.color = Image<Rgb8>(width, height), .depth = Image<float>(width, height, 1.0F)};
+  return {.color = Image<Rgb8>(width, height), .depth = DepthBuffer(width, height)};
 }
 
 /// As before anything was drawn.
 inline void clear(Frame& frame) {
   frame.color.clear({});
-  frame.depth.clear(1);
+  frame.depth.clear();
   frame.distance.clear(std::numeric_limits<float>::infinity());
   frame.ids.clear(-1);
 }
