@@ -109,6 +109,20 @@ Number dot(const Vector3<Number>& a, const Vector3<Number>& b) {
   return (a.x() * b.x() + a.y() * b.y()) + a.z() * b.z();
 }
 
+template <class Number>
+Vector3<Number> cross(const Vector3<Number>& a, const Vector3<Number>& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
+          a.x() * b.y() - a.y() * b.x()};
+}
+
+/// matrix · vector, the matrix being the same in every lane.
+template <class Number>
+Vector3<Number> multiply(const Eigen::Matrix3f& matrix, const Vector3<Number>& vector) {
+  return {dot(broadcast<Number>(matrix.row(0)), vector),
+          dot(broadcast<Number>(matrix.row(1)), vector),
+          dot(broadcast<Number>(matrix.row(2)), vector)};
+}
+
 /// The vector divided by its length; where that is zero, the zero vector.
 template <class Number>
 Vector3<Number> normalized(const Vector3<Number>& vector) {

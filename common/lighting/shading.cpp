@@ -1,38 +1,12 @@
 #include "common/lighting/shading.h"
 
 #include "common/lighting/surface_lighting.h"
+#include "common/projection/once_a_triangle.h"
 
 #include <array>
 #include <cstdint>
 
 namespace rasterlab {
-namespace {
-
-SurfaceSample interpolate(const std::array<SurfaceSample, 3>& corners,
-                          const CornerWeights<float>& weights) {
-  const auto mix = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                       const Eigen::Vector3f& c) {
-    return rasterlab::interpolate<Eigen::Vector3f>({a, b, c}, weights);
-  };
-  const auto& [a, b, c] = corners;
-  return {mix(a.position, b.position, c.position),
-          mix(a.normal, b.normal, c.normal).stableNormalized(), mix(a.color, b.color, c.color)};
-}
-
-// Calls make(triangle) when a triangle's first pixel is drawn, and keeps what it gave for the
-// others.
-template <class Value, class Make>
-auto once_a_triangle(const Make& make) {
-  return [make, value = Value{}, of = -1LL](std::uint32_t triangle) mutable -> const Value& {
-    if (of != triangle) {
-      value = make(triangle);
-      of = triangle;
-    }
-    return value;
-  };
-}
-
-}  // namespace
 
 DrawCounts shade_flat(const LitMesh& lit_mesh, Frame& frame) {
   const SurfaceLighting lighting(lit_mesh);

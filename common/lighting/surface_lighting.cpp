@@ -12,6 +12,17 @@ const Color light_grey = Color::Constant(0.75F);
 
 }  // namespace
 
+SurfaceSample interpolate(const std::array<SurfaceSample, 3>& corners,
+                          const CornerWeights<float>& weights) {
+  const auto mix = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                       const Eigen::Vector3f& c) {
+    return rasterlab::interpolate<Eigen::Vector3f>({a, b, c}, weights);
+  };
+  const auto& [a, b, c] = corners;
+  return {mix(a.position, b.position, c.position),
+          mix(a.normal, b.normal, c.normal).stableNormalized(), mix(a.color, b.color, c.color)};
+}
+
 SurfaceLighting::SurfaceLighting(const LitMesh& lit_mesh)
     : lit_mesh_(lit_mesh),
       normal_matrix_(normal_matrix(lit_mesh.transforms.model)),

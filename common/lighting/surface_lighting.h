@@ -18,6 +18,10 @@ struct SurfaceSample {
   Color color;
 };
 
+/// The point of a triangle at a pixel, given its corners: the normal made a unit vector again.
+SurfaceSample interpolate(const std::array<SurfaceSample, 3>& corners,
+                          const CornerWeights<float>& weights);
+
 /// Lights the points of one mesh.
 class SurfaceLighting {
  public:

@@ -13,16 +13,21 @@ float angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 
 }  // namespace
 
+Eigen::Vector3f face_normal(const Mesh& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Eigen::Vector3d origin = mesh.positions[a].cast<double>();
+  const Eigen::Vector3d normal = (mesh.positions[b].cast<double>() - origin)
+                                     .cross(mesh.positions[c].cast<double>() - origin);
+  const double length = normal.norm();
+  if (!(length > 0)) return Eigen::Vector3f::Zero();
+  return (normal / length).cast<float>();
+}
+
 std::vector<Eigen::Vector3f> face_normals(const Mesh& mesh) {
   std::vector<Eigen::Vector3f> normals;
   normals.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d origin = mesh.positions[a].cast<double>();
-    const Eigen::Vector3d normal = (mesh.positions[b].cast<double>() - origin)
-                                       .cross(mesh.positions[c].cast<double>() - origin);
-    const double length = normal.norm();
-    normals.emplace_back(length > 0 ? Eigen::Vector3f((normal / length).cast<float>())
-                                    : Eigen::Vector3f::Zero());
+  for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+    normals.push_back(face_normal(mesh, triangle));
   }
   return normals;
 }

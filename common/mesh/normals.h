@@ -4,12 +4,16 @@
 
 #include "common/mesh/mesh.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace rasterlab {
 
-/// The unit normal of every triangle, (b − a) × (c − a) normalised: outside where corners go
+/// The unit normal of a triangle, (b − a) × (c − a) normalised: outside where corners go
 /// counter-clockwise. A triangle without area has the normal zero.
+Eigen::Vector3f face_normal(const Mesh& mesh, std::uint32_t triangle);
+
+/// The same of every triangle.
 std::vector<Eigen::Vector3f> face_normals(const Mesh& mesh);
 
 /// The unit normal of every vertex: the sum of its faces' unit normals, each times the face's angle

@@ -36,16 +36,7 @@ Vector3<Number> blend(const Vector3<Number>& a, const Vector3<Number>& b, const 
 /// clamp and mirror keep the edge's own colour. Cost: four texels.
 template <class Number>
 Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
-                                  const Number& level_index) {
-  const auto level = texture.level(level_index);
-  const auto column = texel_pair(uv.x(), level.width, wrap);
-  const auto row = texel_pair(uv.y(), level.height, wrap);
-  const Vector3<Number> lower = blend(texture.texel(level, column.first, row.first),
-                                      texture.texel(level, column.second, row.first), column.part);
-  const Vector3<Number> upper = blend(texture.texel(level, column.first, row.second),
-                                      texture.texel(level, column.second, row.second), column.part);
-  return blend(lower, upper, row.part) / Number(255);
-}
+                                  const Number& level_index);
 
 /// bilinear_in_level() of level 0: smooth near by. The footprint's size still counts for nothing:
 /// far off, a pixel blends four of the many texels it sees, which sparkles.
@@ -56,3 +47,5 @@ Vector3<Number> sample_bilinear(const Texture& texture, Wrap wrap,
 }
 
 }  // namespace rasterlab
+
+#include "common/texture/bilinear.inl"

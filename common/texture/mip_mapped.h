@@ -13,9 +13,8 @@ namespace rasterlab {
 /// Source: Williams, "Pyramidal Parametrics", SIGGRAPH 1983.
 template <class Number>
 Vector3<Number> sample_mip_mapped(const Texture& texture, Wrap wrap,
-                                  const Footprint<Number>& footprint) {
-  const Number level = round_down(mip_level(texture, footprint) + Number(0.5F));
-  return bilinear_in_level(texture, wrap, footprint.uv, level);
-}
+                                  const Footprint<Number>& footprint);
 
 }  // namespace rasterlab
+
+#include "common/texture/mip_mapped.inl"

@@ -21,11 +21,8 @@ Number texel_index(const Number& coordinate, const Number& size) {
 /// it sees, which sparkles.
 template <class Number>
 Vector3<Number> sample_nearest(const Texture& texture, Wrap wrap,
-                               const Footprint<Number>& footprint) {
-  const auto level = texture.level(Number(0));
-  const Number column = texel_index(wrap_coordinate(footprint.uv.x(), wrap), level.width);
-  const Number row = texel_index(wrap_coordinate(footprint.uv.y(), wrap), level.height);
-  return texture.texel(level, column, row) / Number(255);
-}
+                               const Footprint<Number>& footprint);
 
 }  // namespace rasterlab
+
+#include "common/texture/nearest.inl"

@@ -1,14 +1,18 @@
 #include "common/texture/perspective_weights.h"
 
+#include <algorithm>
+
 namespace rasterlab {
 
-const std::array<PerspectiveRungEntry, 4>& perspective_ladder() {
-  static const std::array<PerspectiveRungEntry, 4> ladder = {
-      {{"affine", affine_weights, "textures bend, and along a square's diagonal they break"},
-       {"runs_of_16", weights_in_runs_of_16, "textures ripple where w changes fast in a row"},
-       {"runs_of_8", weights_in_runs_of_8, "the ripple is about a quarter as high"},
-       {"exact", perspective_weights, "none"}}};
-  return ladder;
+Eigen::Vector3d exact_weights(const Eigen::Vector3d& on_screen, const Eigen::Vector3d& inverse_w) {
+  const Eigen::Vector3d over_w = on_screen.cwiseProduct(inverse_w);
+  return over_w / over_w.sum();
+}
+
+void perspective_weights(const PerspectiveRow& row, std::span<Eigen::Vector3d> on_triangle) {
+  std::transform(
+      row.weights.begin(), row.weights.end(), on_triangle.begin(),
+      [&row](const Eigen::Vector3d& weights) { return exact_weights(weights, row.inverse_w); });
 }
 
 }  // namespace rasterlab

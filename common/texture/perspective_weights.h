@@ -5,9 +5,7 @@
 // weight divided by its corner's w, and the sum of those.
 #pragma once
 
-#include <array>
 #include <span>
-#include <string>
 
 #include <Eigen/Dense>
 
@@ -41,14 +39,5 @@ void perspective_weights(const PerspectiveRow& row, std::span<Eigen::Vector3d> o
 /// included. Source: C.5; Heckbert and Moreton, "Interpolation for Polygon Texture Mapping and
 /// Shading", 1991.
 Eigen::Vector3d exact_weights(const Eigen::Vector3d& on_screen, const Eigen::Vector3d& inverse_w);
-
-struct PerspectiveRungEntry {
-  std::string name;
-  PerspectiveRung weights;
-  std::string known_fault;
-};
-
-/// Exercise 06.3's ladder, worst first.
-const std::array<PerspectiveRungEntry, 4>& perspective_ladder();
 
 }  // namespace rasterlab

@@ -10,15 +10,7 @@ namespace rasterlab {
 /// texture's last.
 template <class Number>
 Vector3<Number> trilinear_at(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
-                             const Number& level) {
-  const Number finer = round_down(level);
-  const Number part = level - finer;
-  const Vector3<Number> fine = bilinear_in_level(texture, wrap, uv, finer);
-  if (!any(part > Number(0))) return fine;
-  const Number coarser =
-      minimum(finer + Number(1), Number(static_cast<float>(texture.level_count() - 1)));
-  return blend(fine, bilinear_in_level(texture, wrap, uv, coarser), part);
-}
+                             const Number& level);
 
 /// Linear in the level too. Cost: eight texels, four where the texture is magnified. What is seen
 /// at a grazing angle is still blurred.
@@ -31,3 +23,5 @@ Vector3<Number> sample_trilinear(const Texture& texture, Wrap wrap,
 }
 
 }  // namespace rasterlab
+
+#include "common/texture/trilinear.inl"

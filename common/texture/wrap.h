@@ -25,20 +25,7 @@ enum class Wrap { repeat, clamp, mirror };
 /// Runs on any Number (common/image/number.h). Source: A.Q33, B.texture, C.5; the modes are
 /// OpenGL 4.6 core, 8.14.2.
 template <class Number>
-Number wrap_coordinate(const Number& coordinate, Wrap wrap) {
-  const Number zero(0);
-  const Number one(1);
-  Number wrapped = coordinate;
-  if (wrap == Wrap::repeat) {
-    const Number inside = coordinate - round_down(coordinate);
-    wrapped = select(coordinate == one, one, inside);
-  } else if (wrap == Wrap::mirror) {
-    const Number distance = magnitude(coordinate);
-    const Number in_period = distance - Number(2) * round_down(Number(distance * Number(0.5F)));
-    wrapped = select(in_period > one, Number(2) - in_period, in_period);
-  }
-  return minimum(maximum(wrapped, zero), one);  // NaN becomes 0
-}
+Number wrap_coordinate(const Number& coordinate, Wrap wrap);
 
 /// Takes the index of a texel next to one that is inside, −1 ≤ index ≤ size, to one that is:
 /// repeat goes on at the other edge; clamp and mirror stay at this one.
@@ -51,3 +38,5 @@ Number wrap_neighbor(const Number& index, const Number& size, Wrap wrap) {
 }
 
 }  // namespace rasterlab
+
+#include "common/texture/wrap.inl"

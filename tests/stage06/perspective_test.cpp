@@ -1,4 +1,4 @@
-#include "common/texture/perspective_weights.h"
+#include "common/texture/perspective_ladder.h"
 
 #include "tests/stage06/quad.h"
 

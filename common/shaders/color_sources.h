@@ -1,0 +1,62 @@
+// Where a surface's colour comes from: the first of Surface's three parts.
+//
+// A colour source is made from a shader's inputs, says which attributes it reads, and gives the
+// colour of a point.
+#pragma once
+
+#include "common/mesh/shader_types.h"
+#include "common/shaders/attributes.h"
+#include "common/shaders/inputs.h"
+#include "common/texture/sample.h"
+
+namespace rasterlab {
+
+/// One colour all over.
+struct ConstantColor {
+  using Reads = Attributes<>;
+
+  Color color;
+
+  explicit ConstantColor(const ShaderInputs& inputs)
+      : color(inputs.color.value_or(default_color())) {}
+
+  template <class Point>
+  auto color_at(const Point& /*point*/) const {
+    return broadcast<typename Point::Number>(color);
+  }
+};
+
+/// The colours of the corners, mixed.
+struct VertexColor {
+  using Reads = Attributes<VertexColors>;
+
+  explicit VertexColor(const ShaderInputs& /*inputs*/) {}
+
+  template <class Point>
+  auto color_at(const Point& point) const {
+    return point.value.color;
+  }
+};
+
+/// What of a texture a pixel sees.
+template <class Point>
+Footprint<typename Point::Number> footprint_of(const Point& point) {
+  return {point.value.uv, point.dx.uv, point.dy.uv};
+}
+
+/// A texture.
+struct TextureColor {
+  using Reads = Attributes<TextureCoordinates>;
+
+  Sampler texture;
+
+  explicit TextureColor(const ShaderInputs& inputs)
+      : texture(required(inputs.texture, "--texture")) {}
+
+  template <class Point>
+  auto color_at(const Point& point) const {
+    return sample(texture, footprint_of(point));
+  }
+};
+
+}  // namespace rasterlab

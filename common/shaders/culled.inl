@@ -1,0 +1,15 @@
+// Exercise 07.5; the contract is in culled.h.
+#pragma once
+
+namespace rasterlab {
+
+template <class Number>
+Fragment<Number> cull_fragment(const Fragment<Number>& fragment, const Mask<Number>& front_facing,
+                               Cull cull) {
+  Fragment<Number> result = fragment;
+  if (cull == Cull::front) result.discarded = fragment.discarded || front_facing;
+  if (cull == Cull::back) result.discarded = fragment.discarded || !front_facing;
+  return result;
+}
+
+}  // namespace rasterlab

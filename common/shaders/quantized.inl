@@ -1,0 +1,14 @@
+// Exercise 07.3; the contract is in quantized.h.
+#pragma once
+
+namespace rasterlab {
+
+template <class Number>
+Number quantize(const Number& value, int levels) {
+  const Number count(static_cast<float>(levels));
+  const Number in_range = minimum(maximum(value, Number(0)), Number(1));
+  const Number band = minimum(round_down(Number(in_range * count)), count - Number(1));
+  return band / (count - Number(1));
+}
+
+}  // namespace rasterlab

@@ -1,0 +1,13 @@
+// Exercise 07.2; the contract is in surface.h.
+#pragma once
+
+namespace rasterlab {
+
+template <class Point, class ColorSource, class NormalSource, class LightModel>
+Vector3<typename Point::Number> surface_color(const Point& point, const ColorSource& color,
+                                              const NormalSource& normals,
+                                              const LightModel& light) {
+  return lit(color.color_at(point), light.light_at(point, normals));
+}
+
+}  // namespace rasterlab

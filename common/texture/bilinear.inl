@@ -1,0 +1,19 @@
+// Exercise 06.4, second rung; the contract is in bilinear.h.
+#pragma once
+
+namespace rasterlab {
+
+template <class Number>
+Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
+                                  const Number& level_index) {
+  const auto level = texture.level(level_index);
+  const auto column = texel_pair(uv.x(), level.width, wrap);
+  const auto row = texel_pair(uv.y(), level.height, wrap);
+  const Vector3<Number> lower = blend(texture.texel(level, column.first, row.first),
+                                      texture.texel(level, column.second, row.first), column.part);
+  const Vector3<Number> upper = blend(texture.texel(level, column.first, row.second),
+                                      texture.texel(level, column.second, row.second), column.part);
+  return blend(lower, upper, row.part) / Number(255);
+}
+
+}  // namespace rasterlab

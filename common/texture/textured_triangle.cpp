@@ -1,0 +1,88 @@
+#include "common/texture/textured_triangle.h"
+
+#include "common/projection/triangle_pixels.h"
+#include "common/projection/vertex_stage.h"
+#include "common/triangles/rasterize.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace rasterlab {
+namespace {
+
+/// What clipping has left of the triangle, or a part of it: three corners in the window.
+struct Piece {
+  std::array<Eigen::Vector2f, 3> window;
+  Eigen::Vector3d depth;
+  Eigen::Vector3d inverse_w;
+  Eigen::Matrix<double, 2, 3> uv;  ///< a column for each corner
+};
+
+Piece make_piece(const std::array<const ClipVertex*, 3>& corners,
+                 const Eigen::Matrix<double, 2, 3>& triangle_uv, const Frame& frame) {
+  Piece piece;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ClipVertex& corner = *corners[i];
+    const WindowPoint point = to_window(corner.position, frame.width(), frame.height());
+    const auto column = static_cast<Eigen::Index>(i);
+    piece.window[i] = point.position;
+    piece.depth[column] = point.depth;
+    piece.inverse_w[column] = 1.0 / corner.position.w();
+    piece.uv.col(column) = triangle_uv * corner.weights.cast<double>();
+  }
+  return piece;
+}
+
+/// The pixels of one row, as they come from the rasterizer.
+struct RowOfPixels {
+  int y = -1;
+  int first_x = 0;
+  std::vector<Eigen::Vector3d> weights;
+};
+
+void draw_row(const Piece& piece, const RowOfPixels& row, const Sampler& sampler,
+              PerspectiveRung rung, Frame& frame) {
+  std::vector<Eigen::Vector3d> on_triangle(row.weights.size());
+  rung({piece.inverse_w, row.weights}, on_triangle);
+  for (std::size_t i = 0; i < row.weights.size(); ++i) {
+    const int x = row.first_x + static_cast<int>(i);
+    const auto depth = static_cast<float>(row.weights[i].dot(piece.depth));
+    if (!(depth < frame.depth.row(row.y)[x])) continue;
+    frame.depth.row(row.y)[x] = depth;
+    const Eigen::Vector2f uv = (piece.uv * on_triangle[i]).cast<float>();
+    const Footprint<float> footprint{uv, Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
+    frame.color.row(row.y)[x] = to_rgb8(sample(sampler, footprint));
+  }
+}
+
+void draw_piece(const Piece& piece, const Sampler& sampler, PerspectiveRung rung, Frame& frame) {
+  if (!std::ranges::all_of(piece.window, in_raster_range)) return;  // as triangle_pixels.h has it
+  RowOfPixels row;
+  rasterize_triangle(piece.window, frame.width(), frame.height(),
+                     [&](int x, int y, const Eigen::Vector3d& weights) {
+                       if (y != row.y) {
+                         draw_row(piece, row, sampler, rung, frame);
+                         row = {y, x, {}};
+                       }
+                       row.weights.push_back(weights);
+                     });
+  draw_row(piece, row, sampler, rung, frame);
+}
+
+}  // namespace
+
+void draw_textured_triangle(const ClipTriangle& corners,
+                            const std::array<Eigen::Vector2f, 3>& texture_coordinates,
+                            const Sampler& sampler, PerspectiveRung rung, Frame& frame) {
+  Eigen::Matrix<double, 2, 3> uv;
+  for (std::size_t i = 0; i < 3; ++i) {
+    uv.col(static_cast<Eigen::Index>(i)) = texture_coordinates[i].cast<double>();
+  }
+  const ClipPolygon polygon = clip_homogeneous(corners, guard_band(frame.width(), frame.height()));
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    draw_piece(make_piece({&polygon[0], &polygon[i - 1], &polygon[i]}, uv, frame), sampler, rung,
+               frame);
+  }
+}
+
+}  // namespace rasterlab
