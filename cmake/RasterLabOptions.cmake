@@ -22,7 +22,8 @@ target_compile_options(
             # One input gives one image, whatever the compiler.
             -ffp-contract=off
             $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
-
+# A program loads only the libraries it calls: most never open a window.
+target_link_options(rasterlab_options INTERFACE -Wl,--as-needed)
 
 if(RASTERLAB_SANITIZERS)
   string(REPLACE "," ";" sanitizers "${RASTERLAB_SANITIZERS}")

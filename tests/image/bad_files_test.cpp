@@ -47,7 +47,8 @@ class stage01_image_bad_files : public testing::Test {
  protected:
   /// The message of the InputError that reading gives; empty when the file is read after all.
   std::string error_of(const std::string& name, const std::string& content) {
-    write_file(folder / name, content);
+    std::filesystem::remove(folder / name);  // Overwriting makes ext4 wait for the disk.
+    std::ofstream(folder / name, std::ios::binary) << content;
     return error_of(folder / name);
   }
   static std::string error_of(const std::filesystem::path& path) {

@@ -1,0 +1,113 @@
+#include "common/image/window.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#ifdef RASTERLAB_WINDOW
+#include <opencv2/core.hpp>
+#include <opencv2/highgui.hpp>
+#include <opencv2/imgproc.hpp>
+#endif
+
+namespace rasterlab {
+
+#ifdef RASTERLAB_WINDOW
+
+namespace {
+
+/// Qt ends the process where it finds no display, so it is looked for first.
+bool has_display() {
+  for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    const char* value = std::getenv(variable);
+    if (value != nullptr && *value != '\0') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+struct Window::State {
+  std::string title;
+  WindowEvents events;
+  int mouse_x = 0;
+  int mouse_y = 0;
+
+  static void on_mouse(int event, int x, int y, int flags, void* self) {
+    static_cast<State*>(self)->note_mouse(event, x, y, flags);
+  }
+
+  void note_mouse(int event, int x, int y, int flags) {
+    if (event == cv::EVENT_MOUSEMOVE && (flags & cv::EVENT_FLAG_LBUTTON) != 0) {
+      events.drag_x += x - mouse_x;
+      events.drag_y += y - mouse_y;
+    }
+    if (event == cv::EVENT_MOUSEWHEEL) events.wheel += cv::getMouseWheelDelta(flags) > 0 ? 1 : -1;
+    mouse_x = x;
+    mouse_y = y;
+  }
+};
+
+Window::Window(const std::string& title) : state_(std::make_unique<State>()) {
+  if (!has_display()) {
+    throw InputError("a window needs a display: neither DISPLAY nor WAYLAND_DISPLAY is set");
+  }
+  state_->title = title;
+  try {
+    cv::namedWindow(title, cv::WINDOW_AUTOSIZE | cv::WINDOW_GUI_NORMAL);
+    cv::setMouseCallback(title, State::on_mouse, state_.get());
+  } catch (const cv::Exception& error) {
+    throw InputError("no window can be opened: " + error.err);
+  }
+}
+
+Window::~Window() {
+  try {
+    cv::destroyWindow(state_->title);
+  } catch (const cv::Exception&) {
+    // The user has closed it already.
+  }
+}
+
+void Window::show(const Image<Rgb8>& image) {
+  const cv::Mat pixels(image.height(), image.width(), CV_8UC3,
+                       const_cast<Rgb8*>(image.row(0)));  // NOLINT: only read
+  cv::Mat swapped;
+  cv::cvtColor(pixels, swapped, cv::COLOR_RGB2BGR);
+  cv::imshow(state_->title, swapped);
+}
+
+WindowEvents Window::poll(int milliseconds) {
+  constexpr int escape = 27;
+  state_->events = {};
+  state_->events.key = cv::waitKey(std::max(milliseconds, 1));
+  state_->events.closed = state_->events.key == escape ||
+                          cv::getWindowProperty(state_->title, cv::WND_PROP_VISIBLE) < 1;
+  return state_->events;
+}
+
+bool windows_are_built_in() {
+  return true;
+}
+
+#else
+
+struct Window::State {};
+
+Window::Window(const std::string&) {
+  throw InputError(
+      "windows are not built in: expected OpenCV's highgui (Debian: libopencv-highgui-dev) when "
+      "configuring");
+}
+Window::~Window() = default;
+void Window::show(const Image<Rgb8>&) {}
+WindowEvents Window::poll(int) {
+  return {};
+}
+bool windows_are_built_in() {
+  return false;
+}
+
+#endif
+
+}  // namespace rasterlab
