@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rasterlab {
 
@@ -58,6 +59,35 @@ Image<Pixel> enlarged(const Image<Pixel>& image, int factor) {
     throw CheckError("an image cannot be enlarged by " + std::to_string(factor));
   }
   return resized(image, image.width() * factor, image.height() * factor);
+}
+
+/// Copies `part` into `whole`, its top left pixel to (x, y); what would be outside is left out.
+template <class Pixel>
+void paste(const Image<Pixel>& part, int x, int y, Image<Pixel>& whole) {
+  for (int row = 0; row < part.height(); ++row) {
+    for (int column = 0; column < part.width(); ++column) {
+      if (whole.contains(x + column, y + row)) {
+        whole.row(y + row)[x + column] = part.row(row)[column];
+      }
+    }
+  }
+}
+
+/// The pictures, all of the first one's size, side by side in rows of `columns`, one pixel of
+/// nothing between them. Throws CheckError for columns < 1.
+template <class Pixel>
+Image<Pixel> side_by_side(const std::vector<Image<Pixel>>& pictures, int columns) {
+  if (columns < 1) throw CheckError("pictures stand in at least one column");
+  if (pictures.empty()) return {};
+  const int count = static_cast<int>(pictures.size());
+  const int width = pictures[0].width() + 1;
+  const int height = pictures[0].height() + 1;
+  const int rows = (count + columns - 1) / columns;
+  Image<Pixel> whole(std::min(count, columns) * width - 1, rows * height - 1, blank_pixel<Pixel>());
+  for (int i = 0; i < count; ++i) {
+    paste(pictures[static_cast<std::size_t>(i)], i % columns * width, i / columns * height, whole);
+  }
+  return whole;
 }
 
 /// Shows numbers as grey: `black` becomes 0 and `white` 255, linear between, what lies beyond

@@ -47,6 +47,22 @@ TEST(stage01_image_operations, resized_takes_the_pixel_under_the_centre) {
   EXPECT_THROW(resized(many_colors(5, 3), -1, 2), CheckError);
 }
 
+TEST(stage01_image_operations, pasted_where_it_fits) {
+  Image<Grey> whole(3, 2, 9);
+  paste(image_of(2, {1, 2, 3, 4}), 2, -1, whole);
+  EXPECT_EQ(whole, image_of(3, {9, 9, 3, 9, 9, 9}));
+  paste(image_of(2, {1, 2, 3, 4}), -1, 1, whole);
+  EXPECT_EQ(whole, image_of(3, {9, 9, 3, 2, 9, 9}));
+}
+
+TEST(stage01_image_operations, side_by_side_in_rows) {
+  const std::vector<Image<Grey>> pictures(3, image_of(1, {7}));
+  EXPECT_EQ(side_by_side(pictures, 2), image_of(3, {7, 0, 7, 0, 0, 0, 7, 0, 0}));
+  EXPECT_EQ(side_by_side(pictures, 5), image_of(5, {7, 0, 7, 0, 7}));
+  EXPECT_TRUE(side_by_side(std::vector<Image<Grey>>(), 2).empty());
+  EXPECT_THROW(side_by_side(pictures, 0), CheckError);
+}
+
 TEST(stage01_image_operations, numbers_as_grey) {
   Image<float> values(6, 1);
   values.pixels() = {2, 3, 4, infinity, -infinity, not_a_number};
