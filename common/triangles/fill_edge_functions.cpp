@@ -1,5 +1,6 @@
 #include "common/triangles/fill_edge_functions.h"
 
+#include "common/image/check.h"
 #include "common/triangles/edge_function.h"
 #include "common/triangles/pixel_box.h"
 
@@ -8,6 +9,7 @@
 namespace rasterlab {
 
 void fill_edge_functions(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
+  // <solution>
   const TriangleEdges triangle = make_edges(snap(corners));
   if (triangle.twice_area == 0) return;
   const PixelBox box = pixel_box(corners, image.width(), image.height());
@@ -19,6 +21,8 @@ void fill_edge_functions(Image<Rgb8>& image, const Corners& corners, const Rgb8&
       if (covered) image(x, y) = color;
     }
   }
+  // <starter> throw NotWritten("02.4", image, corners, color);
+  // </solution>
 }
 
 }  // namespace rasterlab

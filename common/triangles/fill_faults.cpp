@@ -1,5 +1,6 @@
 #include "common/triangles/fill_faults.h"
 
+#include "common/image/check.h"
 #include "common/triangles/pixel_box.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <numeric>
 
 namespace rasterlab {
+// <solution>
 namespace {
 
 // The side of the line from a to b on which p is once it has been moved right by next to nothing,
@@ -89,8 +91,10 @@ std::int64_t changed_by_rotation(FillTriangle fill, const TriangleSample& sample
 }
 
 }  // namespace
+// </solution>
 
 Coverage exact_coverage(const TriangleSample& sample) {
+  // <solution>
   Coverage count(sample.size, sample.size);
   for (const Corners& corners : sample.triangles) {
     const SnappedTriangle snapped = snap(corners);
@@ -102,9 +106,12 @@ Coverage exact_coverage(const TriangleSample& sample) {
     }
   }
   return count;
+  // <starter> throw NotWritten("02.6", sample);
+  // </solution>
 }
 
 FillFaults fill_faults(FillTriangle fill, const TriangleSample& sample) {
+  // <solution>
   const Coverage exact = exact_coverage(sample);
   const Coverage drawn = coverage(fill, sample.triangles, sample.size, sample.size);
   std::int64_t covered = 0;
@@ -127,6 +134,8 @@ FillFaults fill_faults(FillTriangle fill, const TriangleSample& sample) {
           .order = per_million(changed_by_order(fill, sample, drawn)),
           .translation = per_million(changed_by_translation(fill, sample, drawn)),
           .rotation = per_million(changed_by_rotation(fill, sample, drawn))};
+  // <starter> throw NotWritten("02.6", fill, sample);
+  // </solution>
 }
 
 Image<Rgb8> fault_picture(const Coverage& drawn, const Coverage& exact) {

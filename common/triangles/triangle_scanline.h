@@ -1,6 +1,7 @@
 // Exercise 02.2: a triangle as rows between its discrete sides.
 #pragma once
 
+#include "common/image/check.h"
 #include "common/lines/line_interpolation.h"
 #include "common/lines/line_steps.h"
 
@@ -61,14 +62,15 @@ struct RowRange {
 /// Coordinates to ±2^30. `rows` limits the result. Cost: rows, whatever their length. T has T + T
 /// and float · T.
 ///
-/// Example: (15,12) with 0, (2,17) with 1, (6,3) with 2 has 15 rows; the first, y = 3, is 6 … 6 with
-/// the value 2, and y = 12 is 3 … 15 with the value 0 on the right.
+/// Example: (15,12) with 0, (2,17) with 1, (6,3) with 2 has 15 rows; the first, y = 3, is 6 … 6
+/// with the value 2, and y = 12 is 3 … 15 with the value 0 on the right.
 ///
 /// Source: A.Q21, A.Q22.
 template <class T>
 TriangleScanline<T> make_triangle_scanline(const std::array<Point, 3>& corners,
                                            const std::array<T, 3>& values,
                                            const RowRange& rows = {}) {
+  // <solution>
   using Row = typename TriangleScanline<T>::Row;
   const auto [top, bottom] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
   const int first = std::max(top, rows.first);
@@ -95,6 +97,8 @@ TriangleScanline<T> make_triangle_scanline(const std::array<Point, 3>& corners,
     }
   }
   return TriangleScanline<T>(std::move(result));
+  // <starter> throw NotWritten("02.2", corners, values, rows);
+  // </solution>
 }
 
 /// A value as text: a number as it is, a colour as "(r g b)".

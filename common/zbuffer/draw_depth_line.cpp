@@ -1,11 +1,13 @@
 #include "common/zbuffer/draw_depth_line.h"
 
+#include "common/image/check.h"
 #include "common/lines/line_all_octants.h"
 #include "common/lines/line_interpolation.h"
 
 namespace rasterlab {
 
 void draw_depth_line(Image<Rgb8>& image, DepthBuffer& depth, const LineEnd& a, const LineEnd& b) {
+  // <solution>
   const StepRange visible = LineSteps(a.pixel, b.pixel).inside(image.width(), image.height());
   const LineDiscrete line = line_all_octants(a.pixel, b.pixel, visible);
   const LineInterpolation weights(line, a.pixel, b.pixel);
@@ -14,6 +16,8 @@ void draw_depth_line(Image<Rgb8>& image, DepthBuffer& depth, const LineEnd& a, c
     draw_point(image, depth, line[i], (1 - weight) * a.z + weight * b.z,
                (1 - weight) * a.color + weight * b.color);
   }
+  // <starter> throw NotWritten("03.3", image, depth, a, b);
+  // </solution>
 }
 
 }  // namespace rasterlab

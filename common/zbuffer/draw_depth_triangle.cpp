@@ -1,11 +1,13 @@
 #include "common/zbuffer/draw_depth_triangle.h"
 
+#include "common/image/check.h"
 #include "common/triangles/rasterize.h"
 
 namespace rasterlab {
 
 void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,
                          const std::array<DepthCorner, 3>& corners) {
+  // <solution>
   const auto& [a, b, c] = corners;
   rasterize_triangle({a.position, b.position, c.position}, image.width(), image.height(),
                      [&](int x, int y, const Eigen::Vector3d& weights) {
@@ -14,6 +16,8 @@ void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,
                        draw_point(image, depth, {x, y}, static_cast<float>(z),
                                   w[0] * a.color + w[1] * b.color + w[2] * c.color);
                      });
+  // <starter> throw NotWritten("03.4", image, depth, corners);
+  // </solution>
 }
 
 }  // namespace rasterlab

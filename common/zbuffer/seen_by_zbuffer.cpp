@@ -1,9 +1,11 @@
+#include "common/image/check.h"
 #include "common/triangles/rasterize.h"
 #include "common/zbuffer/visibility.h"
 
 #include <cmath>
 
 namespace rasterlab {
+// <solution>
 namespace {
 
 /// Draws with a depth buffer. `stored(depth)` is what the buffer's format makes of a depth in [0,
@@ -51,22 +53,35 @@ constexpr auto less = [](float a, float b) { return a < b; };
 constexpr auto greater = [](float a, float b) { return a > b; };
 
 }  // namespace
+// </solution>
 
 VisibleTriangles seen_by_zbuffer_16(const VisibilityScene& scene) {
+  // <solution>
   return draw(scene, standard_depth(scene), unorm(16), 0xFFFF, less);
+  // <starter> throw NotWritten("03.5", scene);
+  // </solution>
 }
 
 VisibleTriangles seen_by_zbuffer_24(const VisibilityScene& scene) {
+  // <solution>
   return draw(scene, standard_depth(scene), unorm(24), 0xFFFFFF, less);
+  // <starter> throw NotWritten("03.5", scene);
+  // </solution>
 }
 
 VisibleTriangles seen_by_zbuffer_float(const VisibilityScene& scene) {
+  // <solution>
   return draw(scene, standard_depth(scene), to_float, 1, less);
+  // <starter> throw NotWritten("03.5", scene);
+  // </solution>
 }
 
 VisibleTriangles seen_by_zbuffer_reversed(const VisibilityScene& scene) {
+  // <solution>
   const auto reversed_depth = [near = scene.near](float distance) { return near / distance; };
   return draw(scene, reversed_depth, to_float, 0, greater);
+  // <starter> throw NotWritten("03.5", scene);
+  // </solution>
 }
 
 }  // namespace rasterlab
