@@ -47,8 +47,8 @@ void draw_row(const Piece& piece, const RowOfPixels& row, const Sampler& sampler
   for (std::size_t i = 0; i < row.weights.size(); ++i) {
     const int x = row.first_x + static_cast<int>(i);
     const auto depth = static_cast<float>(row.weights[i].dot(piece.depth));
-    if (!(depth < frame.depth.row(row.y)[x])) continue;
-    frame.depth.row(row.y)[x] = depth;
+    if (!frame.depth.test(x, row.y, depth)) continue;
+    frame.depth.write(x, row.y, depth);
     const Eigen::Vector2f uv = (piece.uv * on_triangle[i]).cast<float>();
     const Footprint<float> footprint{uv, Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
     frame.color.row(row.y)[x] = to_rgb8(sample(sampler, footprint));
