@@ -17,6 +17,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(RASTERLAB_SIMD_FLAGS_avx512 ${RASTERLAB_SIMD_FLAGS_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw)
 endif()
 
+# GNU ld, also where CMake found another linker beside clang: lld cannot take groups apart.
+find_program(RASTERLAB_LD NAMES ld.bfd ld REQUIRED)
+
 # rasterlab_add_simd_sources(<target> <files>...)
 # Compiles each file once per instruction set, with RASTERLAB_SIMD naming the namespace its code goes to, and adds the
 # objects to the target. In each object every symbol is made local that doesn't carry that namespace's name: a function
@@ -44,7 +47,7 @@ function(rasterlab_add_simd_sources target)
     set(merged "${CMAKE_CURRENT_BINARY_DIR}/${objects}.o")
     add_custom_command(
       OUTPUT "${merged}"
-      COMMAND "${CMAKE_LINKER}" -r --force-group-allocation -o "${merged}.all" "$<TARGET_OBJECTS:${objects}>"
+      COMMAND "${RASTERLAB_LD}" -r --force-group-allocation -o "${merged}.all" "$<TARGET_OBJECTS:${objects}>"
       COMMAND "${CMAKE_OBJCOPY}" --wildcard "--keep-global-symbol=*simd_${simd}*" "${merged}.all" "${merged}"
       DEPENDS ${objects} "$<TARGET_OBJECTS:${objects}>"
       COMMAND_EXPAND_LISTS VERBATIM)
