@@ -1,0 +1,355 @@
+// The fills of exercises 02.1, 02.3 and 02.4.
+#include "common/triangles/barycentric.h"
+#include "common/triangles/draw_triangle_wireframe.h"
+#include "common/triangles/fill_edge_functions.h"
+#include "common/triangles/fill_ladder.h"
+#include "common/triangles/fill_scanline.h"
+#include "common/triangles/fill_spans.h"
+#include "common/triangles/fill_triangle_gradient.h"
+
+#include "tests/oracle/exact_triangle.h"
+#include "tests/support/picture_text.h"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rasterlab {
+namespace {
+
+constexpr Rgb8 white{255, 255, 255};
+using PixelTriangle = std::array<Point, 3>;
+
+PictureText filled(FillTriangle fill, const Corners& corners, int width, int height) {
+  Image<Rgb8> image(width, height);
+  fill(image, corners, white);
+  return picture_text(image);
+}
+
+PictureText exact(const Corners& corners, int width, int height) {
+  return picture_text(oracle::coverage({oracle::to_grid(corners)}, width, height));
+}
+
+/// A corner on a grid of 1/units pixel.
+Eigen::Vector2d random_corner(std::mt19937& random, int low, int high, int units) {
+  std::uniform_int_distribution<int> place(low * units, high * units);
+  const double x = place(random);
+  return {x / units, static_cast<double>(place(random)) / units};
+}
+
+Corners random_corners(std::mt19937& random, int low, int high, int units) {
+  return {random_corner(random, low, high, units), random_corner(random, low, high, units),
+          random_corner(random, low, high, units)};
+}
+
+// 02.1
+
+TEST(stage02_draw_triangle_wireframe, small) {
+  Image<Rgb8> image(7, 5);
+  draw_triangle_wireframe(image, {{{0, 0}, {4, 4}, {0, 4}}}, white);
+  EXPECT_TRUE(covers_exactly(image, {"#......", "##.....", "#.#....", "#..#...", "#####.."}))
+      << "three sides, corners included, and nothing inside";
+}
+
+TEST(stage02_draw_triangle_wireframe, any_order_has_all_sides) {
+  PixelTriangle corners = {{{1, 1}, {1, 5}, {5, 5}}};
+  std::sort(corners.begin(), corners.end(),
+            [](const Point& a, const Point& b) { return a.x() * 9 + a.y() < b.x() * 9 + b.y(); });
+  for (int i = 0; i < 3; ++i) {
+    Image<Rgb8> image(7, 7);
+    draw_triangle_wireframe(image, corners, white);
+    EXPECT_TRUE(covers_exactly(
+        image, {".......", ".#.....", ".##....", ".#.#...", ".#..#..", ".#####.", "......."}));
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  }
+}
+
+TEST(stage02_draw_triangle_wireframe, degenerate) {
+  Image<Rgb8> point(3, 3);
+  draw_triangle_wireframe(point, {{{1, 1}, {1, 1}, {1, 1}}}, white);
+  EXPECT_TRUE(covers_exactly(point, {"...", ".#.", "..."})) << "three equal corners are one pixel";
+  Image<Rgb8> line(5, 1);
+  draw_triangle_wireframe(line, {{{0, 0}, {2, 0}, {4, 0}}}, white);
+  EXPECT_TRUE(covers_exactly(line, {"#####"})) << "collinear corners are a line";
+}
+
+TEST(stage02_draw_triangle_wireframe, outside_is_left_out) {
+  Image<Rgb8> image(5, 5);
+  draw_triangle_wireframe(image, {{{-1000000, 2}, {1000000, 2}, {2, 900000000}}}, white);
+  EXPECT_EQ(picture_text(image)[2], "#####") << "the side that crosses the image is seen whole";
+}
+
+// 02.3
+
+TEST(stage02_fill_triangle, sides_and_inside) {
+  Image<Rgb8> image(7, 5);
+  fill_triangle(image, {{{0, 0}, {4, 4}, {0, 4}}}, white);
+  EXPECT_TRUE(covers_exactly(image, {"#......", "##.....", "###....", "####...", "#####.."}));
+}
+
+TEST(stage02_fill_triangle, contains_its_wireframe_and_has_no_holes) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> place(-10, 40);
+  for (int i = 0; i < 300; ++i) {
+    PixelTriangle corners;
+    for (Point& corner : corners) corner = {place(random), place(random)};
+    Image<Rgb8> sides(30, 30);
+    draw_triangle_wireframe(sides, corners, white);
+    Image<Rgb8> fill(30, 30);
+    fill_triangle(fill, corners, white);
+    for (int y = 0; y < 30; ++y) {
+      const std::string row = picture_text(fill)[static_cast<std::size_t>(y)];
+      const std::size_t first = row.find('#');
+      const std::size_t last = row.rfind('#');
+      if (first == std::string::npos) continue;
+      ASSERT_EQ(row.find('.', first) < last, false) << "a hole in row " << y;
+    }
+    for (std::size_t k = 0; k < fill.pixels().size(); ++k) {
+      if (sides.pixels()[k] == white)
+        ASSERT_EQ(fill.pixels()[k], white) << "a pixel of a side is missing";
+    }
+  }
+}
+
+TEST(stage02_fill_triangle, one_pixel_and_lines) {
+  Image<Rgb8> point(3, 3);
+  fill_triangle(point, {{{1, 1}, {1, 1}, {1, 1}}}, white);
+  EXPECT_TRUE(covers_exactly(point, {"...", ".#.", "..."}));
+  Image<Rgb8> column(3, 3);
+  fill_triangle(column, {{{1, 0}, {1, 2}, {1, 1}}}, white);
+  EXPECT_TRUE(covers_exactly(column, {".#.", ".#.", ".#."}));
+}
+
+TEST(stage02_fill_triangle, far_outside) {
+  Image<Rgb8> image(4, 4);
+  constexpr int far_away = 1 << 30;
+  fill_triangle(image, {{{-far_away, -far_away}, {far_away, -far_away}, {0, far_away}}}, white);
+  EXPECT_TRUE(covers_exactly(image, {"####", "####", "####", "####"})) << "the image is inside";
+  EXPECT_THROW(fill_triangle(image, {{{0, 0}, {far_away + 1, 0}, {0, 1}}}, white), CheckError);
+}
+
+TEST(stage02_fill_triangle_gradient, corners_have_their_colours) {
+  Image<Rgb8> image(40, 40);
+  fill_triangle_gradient(image, {{{3, 5}, {35, 11}, {9, 37}}},
+                         {Color(1, 0, 0), Color(0, 1, 0), Color(0, 0, 1)});
+  EXPECT_EQ(image(3, 5), (Rgb8{255, 0, 0}));
+  EXPECT_EQ(image(35, 11), (Rgb8{0, 255, 0}));
+  EXPECT_EQ(image(9, 37), (Rgb8{0, 0, 255}));
+}
+
+TEST(stage02_fill_triangle_gradient, same_pixels_as_one_colour) {
+  const PixelTriangle corners = {{{-5, 5}, {35, 11}, {9, 57}}};
+  Image<Rgb8> gradient(30, 40);
+  fill_triangle_gradient(gradient, corners, {Color(1, 1, 1), Color(1, 1, 1), Color(1, 1, 1)});
+  Image<Rgb8> plain(30, 40);
+  fill_triangle(plain, corners, white);
+  EXPECT_EQ(gradient, plain) << "three equal colours are one colour";
+}
+
+TEST(stage02_fill_triangle_gradient, is_a_plane) {
+  // Red grows by 1/32 with x, green by 1/32 with y: linear along every side and so everywhere.
+  const PixelTriangle corners = {{{0, 0}, {32, 0}, {0, 32}}};
+  Image<Rgb8> image(33, 33);
+  fill_triangle_gradient(image, corners, {Color(0, 0, 0), Color(1, 0, 0), Color(0, 1, 0)});
+  for (int y = 0; y <= 32; ++y) {
+    for (int x = 0; x + y <= 32; ++x) {
+      ASSERT_NEAR(image(x, y).r, 255.0 * x / 32, 1) << "red at (" << x << ", " << y << ")";
+      ASSERT_NEAR(image(x, y).g, 255.0 * y / 32, 1) << "green at (" << x << ", " << y << ")";
+    }
+  }
+}
+
+// 02.4
+
+TEST(stage02_barycentric, corners_middle_and_outside) {
+  const Corners corners = {{{1, 1}, {9, 1}, {1, 5}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(i));
+    EXPECT_TRUE(barycentric(corners, corners[i]).isApprox(unit, 1e-12)) << "at corner " << i;
+  }
+  EXPECT_TRUE(barycentric(corners, {3, 2}).isApprox(Eigen::Vector3d(0.5, 0.25, 0.25), 1e-12));
+  EXPECT_LT(barycentric(corners, {8, 4}).minCoeff(), 0) << "outside, a weight is negative";
+}
+
+TEST(stage02_barycentric, against_exact_weights_either_winding) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 2000; ++i) {
+    Corners corners = random_corners(random, -50, 50, 256);
+    if (std::abs((corners[1] - corners[0]).cross(corners[2] - corners[0])) < 50) continue;
+    const Eigen::Vector2d center(7.5, 11.5);
+    for (int winding = 0; winding < 2; ++winding) {
+      const Eigen::Vector3d weights = barycentric(corners, center);
+      const auto truth = oracle::weights(oracle::to_grid(corners), 7, 11);
+      for (std::size_t k = 0; k < 3; ++k) {
+        ASSERT_NEAR(weights[static_cast<Eigen::Index>(k)], static_cast<double>(truth[k]), 1e-9)
+            << "weight of corner " << k << "; the sign of the area must not matter";
+      }
+      std::swap(corners[1], corners[2]);
+    }
+  }
+}
+
+TEST(stage02_barycentric, without_area_is_outside) {
+  const Corners line = {{{0, 0}, {2, 2}, {4, 4}}};
+  EXPECT_EQ(barycentric(line, {1, 1}), Eigen::Vector3d(-1, -1, -1));
+}
+
+TEST(stage02_fill_edge_functions, centres_inside) {
+  EXPECT_TRUE(
+      same_picture(filled(&fill_edge_functions, {{{1, 1}, {6, 1}, {1, 6}}}, 7, 7),
+                   {".......", ".####..", ".###...", ".##....", ".#.....", ".......", "......."}))
+      << "the diagonal runs through centres and is a right edge: those belong to the neighbour";
+}
+
+TEST(stage02_fill_edge_functions, top_and_left_edges_own_their_centres) {
+  // A square with its sides on pixel centres, cut along the diagonal.
+  const Corners upper = {{{1.5, 1.5}, {4.5, 1.5}, {4.5, 4.5}}};
+  const Corners lower = {{{1.5, 1.5}, {4.5, 4.5}, {1.5, 4.5}}};
+  EXPECT_TRUE(same_picture(filled(&fill_edge_functions, upper, 6, 6),
+                           {"......", ".###..", "..##..", "...#..", "......", "......"}))
+      << "top side yes, right side no, diagonal (a left edge here) yes";
+  EXPECT_TRUE(same_picture(filled(&fill_edge_functions, lower, 6, 6),
+                           {"......", "......", ".#....", ".##...", "......", "......"}))
+      << "left side yes, bottom side no, diagonal (a right edge here) no";
+}
+
+TEST(stage02_fill_edge_functions, equals_128_bit_integers) {
+  std::mt19937 random(1);
+  for (const int units : {1, 2, 8, 256, 1024}) {
+    for (int i = 0; i < 1500; ++i) {
+      const Corners corners = random_corners(random, -8, 24, units);
+      ASSERT_TRUE(
+          same_picture(filled(&fill_edge_functions, corners, 17, 13), exact(corners, 17, 13)))
+          << corners[0].transpose() << " | " << corners[1].transpose() << " | "
+          << corners[2].transpose();
+    }
+  }
+}
+
+TEST(stage02_fill_edge_functions, to_32768_pixels) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const Corners corners = random_corners(random, -32768, 32768, i % 2 == 0 ? 256 : 1);
+    ASSERT_TRUE(
+        same_picture(filled(&fill_edge_functions, corners, 24, 24), exact(corners, 24, 24)));
+  }
+  Image<Rgb8> image(4, 4);
+  EXPECT_THROW(fill_edge_functions(image, {{{0, 0}, {32768.5, 0}, {0, 1}}}, white), CheckError);
+  EXPECT_THROW(fill_edge_functions(
+                   image, {{{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}, {0, 1}}}, white),
+               CheckError);
+}
+
+TEST(stage02_fill_edge_functions, slivers) {
+  std::mt19937 random(9);
+  for (int i = 0; i < 3000; ++i) {
+    Corners corners = random_corners(random, 0, 24, 256);
+    const double t = std::uniform_real_distribution<double>(-1, 2)(random);
+    corners[2] = corners[0] + t * (corners[1] - corners[0]);
+    corners[2] = (corners[2] * 256).array().round() / 256;
+    corners[2].y() += std::uniform_int_distribution<int>(-2, 2)(random) / 256.0;
+    ASSERT_TRUE(
+        same_picture(filled(&fill_edge_functions, corners, 24, 24), exact(corners, 24, 24)));
+  }
+}
+
+TEST(stage02_fill_edge_functions, zero_area_covers_nothing) {
+  for (const Corners& corners :
+       {Corners{{{0.5, 0.5}, {4.5, 4.5}, {2.5, 2.5}}}, Corners{{{1, 1}, {1, 1}, {5, 5}}},
+        Corners{{{2.5, 2.5}, {2.5, 2.5}, {2.5, 2.5}}}, Corners{{{0, 2.5}, {6, 2.5}, {3, 2.5}}}}) {
+    EXPECT_TRUE(
+        same_picture(filled(&fill_edge_functions, corners, 6, 6), PictureText(6, "......")));
+  }
+}
+
+TEST(stage02_fill_edge_functions, spans_draw_the_same) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 4000; ++i) {
+    const Corners corners = random_corners(random, i % 4 == 0 ? -30000 : -8,
+                                           i % 4 == 0 ? 30000 : 40, i % 2 == 0 ? 256 : 2);
+    Image<Rgb8> image(31, 23);
+    const std::int64_t count = fill_spans(image, corners, white);
+    ASSERT_TRUE(same_picture(picture_text(image), filled(&fill_edge_functions, corners, 31, 23)));
+    ASSERT_EQ(count, std::count(image.pixels().begin(), image.pixels().end(), white))
+        << "says how many pixels it drew";
+  }
+}
+
+TEST(stage02_fill_ladder, every_rung_but_the_half_fills_the_inside) {
+  for (const FillRung& rung : fill_ladder) {
+    if (std::string(rung.name) == "half_sweep") continue;
+    const PictureText text = filled(rung.fill, {{{1, 1}, {21, 1}, {1, 21}}}, 24, 24);
+    for (int y = 2; y < 18; ++y) {
+      EXPECT_EQ(text[static_cast<std::size_t>(y)].substr(2, static_cast<std::size_t>(17 - y)),
+                std::string(static_cast<std::size_t>(17 - y), '#'))
+          << rung.name << " leaves a hole in row " << y;
+    }
+  }
+}
+
+TEST(stage02_fill_ladder, flat_sides_and_repeated_corners_do_not_crash) {
+  for (const FillRung& rung : fill_ladder) {
+    for (const Corners& corners :
+         {Corners{{{2, 3}, {20, 3}, {9, 17}}}, Corners{{{9, 3}, {2, 17}, {20, 17}}},
+          Corners{{{5, 5}, {5, 5}, {5, 5}}}, Corners{{{2, 9}, {20, 9}, {11, 9}}},
+          Corners{{{9, 2}, {9, 20}, {9, 11}}}, Corners{{{2, 2}, {9, 9}, {2, 2}}}}) {
+      EXPECT_NO_THROW(filled(rung.fill, corners, 24, 24)) << rung.name;
+    }
+  }
+}
+
+TEST(stage02_fill_ladder, flat_sides_are_filled) {
+  for (const FillRung& rung : fill_ladder) {
+    if (std::string(rung.name) == "half_sweep") continue;
+    for (const Corners& corners :
+         {Corners{{{2, 3}, {20, 3}, {9, 17}}}, Corners{{{9, 3}, {2, 17}, {20, 17}}}}) {
+      const PictureText text = filled(rung.fill, corners, 24, 24);
+      EXPECT_EQ(text[10][10], '#')
+          << rung.name << ": a triangle with a flat top or bottom has an inside";
+    }
+  }
+}
+
+TEST(stage02_fill_ladder, outside_the_image_in_every_direction) {
+  for (const FillRung& rung : fill_ladder) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        if (dx == 0 && dy == 0) continue;
+        Corners corners = {{{2, 2}, {9, 3}, {4, 9}}};
+        for (Eigen::Vector2d& corner : corners) corner += Eigen::Vector2d(100 * dx, 100 * dy);
+        EXPECT_TRUE(
+            same_picture(filled(rung.fill, corners, 12, 12), PictureText(12, std::string(12, '.'))))
+            << rung.name;
+      }
+    }
+  }
+}
+
+TEST(stage02_fill_ladder, partly_outside_draws_the_part_inside) {
+  for (const FillRung& rung : fill_ladder) {
+    const Corners corners = {{{-30, -20}, {50, 7}, {11, 60}}};
+    Image<Rgb8> large(200, 200);
+    Corners moved = corners;
+    for (Eigen::Vector2d& corner : moved) corner += Eigen::Vector2d(64, 64);
+    rung.fill(large, moved, white);
+    PictureText expected(20, std::string(20, '.'));
+    for (int y = 0; y < 20; ++y) {
+      for (int x = 0; x < 20; ++x) {
+        if (large(x + 64, y + 64) == white)
+          expected[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = '#';
+      }
+    }
+    // Rungs that cut x towards 0 or round in float move by a pixel when they cross 0: their known
+    // fault.
+    const std::string name = rung.name;
+    if (name == "edge_functions" || name == "bounding_box" || name == "scanline") {
+      EXPECT_TRUE(same_picture(filled(rung.fill, corners, 20, 20), expected)) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rasterlab
