@@ -84,8 +84,8 @@ TEST(stage02_triangle_scanline, ends_are_within_half_a_pixel_of_the_sides) {
     ASSERT_EQ(scanline.size(), reach.size()) << "one row for each that a side crosses";
     for (const auto& row : scanline) {
       ASSERT_LE(row.left, row.right);
-      ASSERT_NEAR(row.left, reach.at(row.y).first, 1) << "left end of row " << row.y;
-      ASSERT_NEAR(row.right, reach.at(row.y).second, 1) << "right end of row " << row.y;
+      ASSERT_NEAR(row.left, reach.at(row.y).first, 1 + 1e-9) << "left end of row " << row.y;
+      ASSERT_NEAR(row.right, reach.at(row.y).second, 1 + 1e-9) << "right end of row " << row.y;
     }
   }
 }
