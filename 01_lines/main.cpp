@@ -3,7 +3,6 @@
 #include "common/image/check.h"
 #include "common/image/files.h"
 #include "common/image/operations.h"
-#include "common/image/side_by_side.h"
 #include "common/lines/bresenham_first_octant.h"
 #include "common/lines/draw_line.h"
 #include "common/lines/draw_line_gradient.h"

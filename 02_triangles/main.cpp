@@ -1,6 +1,5 @@
 // Stage 02: from three lines to the faces of a mesh. The order is that of the lab sheet, README.md.
 #include "common/image/operations.h"
-#include "common/image/side_by_side.h"
 #include "common/mesh/read_mesh.h"
 #include "common/stage/stage.h"
 #include "common/triangles/draw_flat_faces.h"

@@ -1,9 +1,11 @@
 #include "03_zbuffer/figures.h"
 
 #include "common/image/operations.h"
+#include "common/mesh/read_mesh.h"
 #include "common/stage/given_files.h"
 #include "common/zbuffer/draw_depth_line.h"
 #include "common/zbuffer/draw_depth_triangle.h"
+#include "common/zbuffer/draw_flat_depth.h"
 
 #include "03_zbuffer/inputs.h"
 
@@ -77,6 +79,15 @@ void draw_interpenetrating(Run& run) {
     draw_depth_triangle(image, depth, triangle);
   run.picture("03.4_triangles", image);
   run.picture("03.4_depth", depth_picture(depth));
+}
+
+void draw_bunny_with_depth(Run& run) {
+  const Size size = run.size({800, 800});
+  Image<Rgb8> image(size.width, size.height);
+  DepthBuffer depth(size.width, size.height);
+  draw_flat_depth(image, depth, read_mesh(bunny_path()));
+  run.picture("03.6_flat", image);
+  run.picture("03.6_depth", depth_picture(depth));
 }
 
 }  // namespace rasterlab

@@ -40,7 +40,7 @@ VisibilityScene interpenetrating_scene() {
   for (const auto& triangle : interpenetrating_triangles()) {
     VisibilityTriangle& added = scene.triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      added.corners[i] = triangle[i].position;
+      added.corners[i] = triangle[i].position.cast<float>();
       added.distances[i] = distance_of(triangle[i].z, scene.near, scene.far);
     }
   }

@@ -3,6 +3,7 @@
 #include "common/zbuffer/visibility.h"
 
 #include "03_zbuffer/figures.h"
+#include "03_zbuffer/own_triangles.h"
 
 namespace {
 
@@ -24,6 +25,8 @@ int main(int argc, char** argv) {
                                   {"03.2", &draw_points},
                                   {"03.3", &draw_segments},
                                   {"03.4", &draw_interpenetrating},
-                                  {"03.5", &draw_visibility_ladder}},
-                    .ladders = {ladder()}});
+                                  {"03.5", &draw_visibility_ladder},
+                                  {"03.6", &draw_bunny_with_depth}},
+                    .ladders = {ladder()},
+                    .own_inputs = {own_triangles()}});
 }

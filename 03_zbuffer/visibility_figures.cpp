@@ -2,6 +2,7 @@
 #include "common/image/operations.h"
 #include "common/zbuffer/draw_depth_line.h"
 #include "common/zbuffer/visibility.h"
+#include "common/zbuffer/visibility_faults.h"
 
 #include "03_zbuffer/figures.h"
 #include "03_zbuffer/inputs.h"
@@ -80,6 +81,7 @@ void draw_visibility_ladder(Run& run) {
   if (run.settings().algorithm.empty()) {
     run.picture("03.5_from_above", picture_from_above());
     run.picture("03.5_one_row", picture_of_steps());
+    run.printout("03.5_faults", visibility_fault_table());
   }
   for (const VisibilityRung& rung : visibility_ladder) {
     if (!run.draws(rung.name)) continue;

@@ -73,17 +73,23 @@ void paste(const Image<Pixel>& part, int x, int y, Image<Pixel>& whole) {
   }
 }
 
-/// The pictures, all of the first one's size, side by side in rows of `columns`, one pixel of
-/// nothing between them. Throws CheckError for columns < 1.
+/// The pictures in rows of `columns`, in reading order, `gap` pixels of `background` between them;
+/// each in the top left corner of a cell as large as the largest. Throws CheckError for columns < 1
+/// or gap < 0.
 template <class Pixel>
-Image<Pixel> side_by_side(const std::vector<Image<Pixel>>& pictures, int columns) {
-  if (columns < 1) throw CheckError("pictures stand in at least one column");
+Image<Pixel> side_by_side(const std::vector<Image<Pixel>>& pictures, int columns, int gap = 1,
+                          const Pixel& background = blank_pixel<Pixel>()) {
+  if (columns < 1 || gap < 0) throw CheckError("pictures stand in at least one column");
   if (pictures.empty()) return {};
   const int count = static_cast<int>(pictures.size());
-  const int width = pictures[0].width() + 1;
-  const int height = pictures[0].height() + 1;
+  int width = gap;
+  int height = gap;
+  for (const Image<Pixel>& picture : pictures) {
+    width = std::max(width, picture.width() + gap);
+    height = std::max(height, picture.height() + gap);
+  }
   const int rows = (count + columns - 1) / columns;
-  Image<Pixel> whole(std::min(count, columns) * width - 1, rows * height - 1, blank_pixel<Pixel>());
+  Image<Pixel> whole(std::min(count, columns) * width - gap, rows * height - gap, background);
   for (int i = 0; i < count; ++i) {
     paste(pictures[static_cast<std::size_t>(i)], i % columns * width, i / columns * height, whole);
   }

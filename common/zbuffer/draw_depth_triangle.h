@@ -9,7 +9,7 @@ namespace rasterlab {
 
 /// A corner of a triangle.
 struct DepthCorner {
-  Eigen::Vector2f position;  ///< window coordinates: pixels, y down, may be fractional
+  Eigen::Vector2d position;  ///< window coordinates: pixels, y down, may be fractional
   float z = 0;               ///< NDC depth
   Color color;
 };
@@ -20,8 +20,8 @@ struct DepthCorner {
 /// each other are seen to meet in a line.
 ///
 /// A right answer's depth is within 1e-6 and its colour within 1 of 255. A triangle of no area
-/// draws nothing; either winding draws the same. Throws CheckError when a corner is beyond ±32768
-/// pixels. Cost: one step per pixel covered.
+/// draws nothing; either winding draws the same. Corners to ±2^30 pixels; throws CheckError beyond.
+/// Cost: one step per pixel covered inside the image.
 ///
 /// Source: A.Q29.
 void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,

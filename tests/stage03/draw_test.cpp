@@ -136,8 +136,9 @@ TEST(stage03_draw_depth_line, outside_in_every_direction) {
 
 std::array<DepthCorner, 3> triangle(const std::array<Eigen::Vector2f, 3>& p,
                                     const std::array<float, 3>& z, const std::array<Color, 3>& c) {
-  return {DepthCorner{p[0], z[0], c[0]}, DepthCorner{p[1], z[1], c[1]},
-          DepthCorner{p[2], z[2], c[2]}};
+  return {DepthCorner{p[0].cast<double>(), z[0], c[0]},
+          DepthCorner{p[1].cast<double>(), z[1], c[1]},
+          DepthCorner{p[2].cast<double>(), z[2], c[2]}};
 }
 
 TEST(stage03_draw_depth_triangle, depth_and_colour_against_exact_weights) {
