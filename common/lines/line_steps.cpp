@@ -12,8 +12,8 @@ StepRange intersection(const StepRange& a, const StepRange& b) {
 }
 
 LineSteps::LineSteps(const Point& p0, const Point& p1) : start_(p0) {
-  if (std::max({p0.maxCoeff(), p1.maxCoeff(), -p0.minCoeff(), -p1.minCoeff()}) >
-      max_point_coordinate) {
+  if (std::max(p0.maxCoeff(), p1.maxCoeff()) > max_point_coordinate ||
+      std::min(p0.minCoeff(), p1.minCoeff()) < -max_point_coordinate) {
     throw CheckError("an end of a segment is beyond ±2^30");
   }
   const Eigen::Matrix<std::int64_t, 2, 1> way = p1.cast<std::int64_t>() - p0.cast<std::int64_t>();
