@@ -52,7 +52,9 @@ function(rasterlab_add_tests name)
       endif()
     endif()
   endforeach()
-  rasterlab_add_program(${name} ${arg_SOURCES} LIBRARIES GTest::gmock rasterlab_test_support ${arg_LIBRARIES})
+  # The C++ library stands before common's archive: what gmock needs of it, also defined in common/stage, would else
+  # bring in the stage framework, which only a stage's executable can link.
+  rasterlab_add_program(${name} ${arg_SOURCES} LIBRARIES GTest::gmock stdc++ rasterlab_test_support ${arg_LIBRARIES})
   target_precompile_headers(${name} REUSE_FROM rasterlab_test_support)
   set_property(GLOBAL APPEND PROPERTY RASTERLAB_TEST_PROGRAMS ${name})
   set(list_file "${CMAKE_CURRENT_BINARY_DIR}/${name}_tests.cmake")

@@ -220,11 +220,14 @@ TEST(house_documents, links_lead_somewhere) {
   }
 }
 
-/// Whether one of the code pieces soon after a line makes pictures of this exercise.
-bool has_command_below(const Document& document, int line, const std::string& id) {
-  constexpr int lines_below = 12;
+/// Whether one of the code pieces between a line and the next heading makes pictures of this
+/// exercise.
+bool has_command_below(const Document& document, std::size_t line, const std::string& id) {
+  std::size_t end = line;
+  while (end < document.text.size() && document.text[end].rfind("## ", 0) != 0) ++end;
   for (const Document::Code& code : document.code) {
-    if (code.line < line || code.line > line + lines_below) continue;
+    const auto at = static_cast<std::size_t>(code.line);
+    if (at < line || at > end) continue;
     if (code.text.rfind("./lab stage", 0) == 0 && offers(code.text, id)) return true;
   }
   return false;
@@ -237,7 +240,7 @@ TEST(house_documents, every_picture_in_a_lab_sheet_has_the_command_that_makes_it
     for (std::size_t i = 0; i < sheet.text.size(); ++i) {
       std::smatch found;
       if (!std::regex_search(sheet.text[i], found, picture)) continue;
-      EXPECT_TRUE(has_command_below(sheet, static_cast<int>(i) + 1, found[1]))
+      EXPECT_TRUE(has_command_below(sheet, i + 1, found[1]))
           << sheet.path.string() << ":" << i + 1 << ": " << found[0];
     }
   }

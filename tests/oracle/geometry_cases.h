@@ -3,6 +3,7 @@
 
 #include "tests/oracle/picture.h"
 
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -38,10 +39,13 @@ std::vector<GeometryCase> built_in_cases();
 /// named on standard output.
 std::vector<GeometryCase> foreign_cases();
 
+/// A mesh framed from a three-quarter view; vertices without a face do not count.
+GeometryCase framed(const std::string& name, const std::filesystem::path& file, const Mesh& mesh);
+
 /// Takes the picture with a stage and compares each pixel's face and distance with the ray
 /// caster's.
-void expect_geometry(const std::string& stage, const GeometryCase& geometry,
-                     const std::vector<std::string>& more_flags = {});
+Agreement expect_geometry(const std::string& stage, const GeometryCase& geometry,
+                          const std::vector<std::string>& more_flags = {});
 
 /// For INSTANTIATE_TEST_SUITE_P.
 template <class Info>

@@ -179,31 +179,43 @@ double RayCaster::plane_depth(double x, double y, int face) const {
   return clip.z() / clip.w();
 }
 
-Hit RayCaster::cast(double x, double y) const {
-  Hit nearest;
-  if (nodes_.empty()) return nearest;
-  const Ray line = ray(x, y);
-  std::vector<int> open{0};
+/// Calls visit(hit) for every face the ray meets up to `limit`, which visit() may lower.
+template <class Visit>
+void RayCaster::traverse(const Ray& ray, const double& limit, Visit&& visit) const {
+  std::vector<int> open;
+  if (!nodes_.empty()) open.push_back(0);
   while (!open.empty()) {
     const Node& node = nodes_[static_cast<std::size_t>(open.back())];
     open.pop_back();
-    if (!meets(node.box, line.origin, line.direction, std::min(line.end, nearest.ray_parameter)))
-      continue;
-    if (node.count == 0) {
-      open.push_back(node.left);
-      open.push_back(node.right);
-    }
+    if (!meets(node.box, ray.origin, ray.direction, limit)) continue;
+    if (node.count == 0) open.insert(open.end(), {node.left, node.right});
     for (int i = node.first; i < node.first + node.count; ++i) {
-      const int face = order_[static_cast<std::size_t>(i)];
-      const Hit hit = intersect(line, face);
-      if (hit.face < 0 || hit.weights.minCoeff() < 0 || is_culled(hit.front)) continue;
-      if (hit.ray_parameter < 0 || hit.ray_parameter > line.end) continue;
-      const bool nearer = hit.ray_parameter < nearest.ray_parameter;
-      if (nearer || (hit.ray_parameter == nearest.ray_parameter && face < nearest.face))
-        nearest = hit;
+      const Hit hit = intersect(ray, order_[static_cast<std::size_t>(i)]);
+      const bool inside = hit.face >= 0 && hit.weights.minCoeff() >= 0;
+      const bool between = hit.ray_parameter >= 0 && hit.ray_parameter <= ray.end;
+      if (inside && between && !is_culled(hit.front)) visit(hit);
     }
   }
+}
+
+Hit RayCaster::cast(double x, double y) const {
+  Hit nearest;
+  traverse(ray(x, y), nearest.ray_parameter, [&](const Hit& hit) {
+    const bool as_near = hit.ray_parameter == nearest.ray_parameter;
+    if (hit.ray_parameter < nearest.ray_parameter || (as_near && hit.face < nearest.face)) {
+      nearest = hit;
+    }
+  });
   return nearest;
+}
+
+bool RayCaster::is_near_crossing(double x, double y, const Hit& seen, double pixels) const {
+  bool found = false;
+  traverse(ray(x, y), Hit::nothing, [&](const Hit& hit) {
+    if (hit.face == seen.face) return;
+    found = found || crossing_distance(x, y, seen.face, hit.face) <= pixels;
+  });
+  return found;
 }
 
 double RayCaster::crossing_distance(double x, double y, int face, int other) const {

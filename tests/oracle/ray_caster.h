@@ -8,6 +8,7 @@
 // pixel (x, y) has its centre at (x + ½, y + ½).
 #pragma once
 
+#include "common/mesh/cull.h"
 #include "common/mesh/mesh.h"
 
 #include <array>
@@ -36,8 +37,6 @@ Eigen::Matrix4d perspective(double fovy, double aspect, double near, double far)
 
 /// A box `height` high around the view axis.
 Eigen::Matrix4d orthographic(double height, double aspect, double near, double far);
-
-enum class Cull { none, back, front };
 
 /// What a ray meets first.
 struct Hit {
@@ -82,6 +81,9 @@ class RayCaster {
   /// the two is seen changes there.
   double crossing_distance(double x, double y, int face, int other) const;
 
+  /// Whether another face that the ray meets crosses the one that is seen within so many pixels.
+  bool is_near_crossing(double x, double y, const Hit& seen, double pixels) const;
+
  private:
   struct Ray {
     Eigen::Vector3d origin;
@@ -101,6 +103,8 @@ class RayCaster {
   };
 
   Ray ray(double x, double y) const;
+  template <class Visit>
+  void traverse(const Ray& ray, const double& limit, Visit&& visit) const;
   Hit intersect(const Ray& ray, int face) const;
   bool is_culled(bool front) const;
   int build(int first, int count);

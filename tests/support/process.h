@@ -11,7 +11,7 @@ namespace rasterlab {
 struct ProcessResult {
   int exit_status = 0;  ///< 128 + signal number when a signal ended it
   bool timed_out = false;
-  std::string out;
+  std::string out;  ///< this and the next: at most 16 MB
   std::string err;
 };
 
