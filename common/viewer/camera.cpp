@@ -3,6 +3,7 @@
 #include "common/projection/look_at.h"
 #include "common/projection/orthographic.h"
 #include "common/projection/perspective.h"
+#include "common/projection/rotation.h"
 #include "common/stage/guard.h"
 
 #include <algorithm>
@@ -27,10 +28,6 @@ std::array<Eigen::Vector3f, 8> corners(const Eigen::AlignedBox3f& box) {
   return all;
 }
 
-Eigen::Matrix3f rotation(const Eigen::Vector3f& axis, float angle) {
-  return Eigen::AngleAxisf(angle, axis.stableNormalized()).toRotationMatrix();
-}
-
 // How far from the centre the eye must be for all to be seen, with a little air around.
 float fitting_distance(const Camera& camera, const Stand& stand) {
   constexpr float air = 1.05F;
@@ -50,8 +47,7 @@ float fitting_distance(const Camera& camera, const Stand& stand) {
 void fit(Camera& camera, const Stand& stand, int turns) {
   float distance = 0;
   for (int i = 0; i < turns; ++i) {
-    const float angle =
-        2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(turns);
+    const float angle = 360 * static_cast<float>(i) / static_cast<float>(turns);
     distance = std::max(distance, fitting_distance(turned(camera, angle), stand));
   }
   camera.eye = camera.center + distance * (camera.eye - camera.center).stableNormalized();
@@ -155,7 +151,8 @@ Camera make_camera(const CameraWishes& wishes, const Stand& stand, int turns) {
 
 Camera turned(const Camera& camera, float angle) {
   Camera result = camera;
-  result.eye = camera.center + rotation(camera.up, angle) * (camera.eye - camera.center);
+  const Eigen::Vector3f offset = camera.eye - camera.center;
+  result.eye = camera.center + rotation(angle, camera.up).topLeftCorner<3, 3>() * offset;
   return result;
 }
 

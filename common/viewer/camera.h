@@ -55,7 +55,7 @@ CameraWishes merged(const CameraWishes& over, const CameraWishes& under);
 /// ones.
 Camera make_camera(const CameraWishes& wishes, const Stand& stand, int turns);
 
-/// The camera carried round its centre about `up` by an angle in radians, counter-clockwise seen
+/// The camera carried round its centre about `up` by an angle in degrees, counter-clockwise seen
 /// from above.
 Camera turned(const Camera& camera, float angle);
 

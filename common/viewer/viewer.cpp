@@ -5,6 +5,8 @@
 #include "common/mesh/read_mesh.h"
 #include "common/mesh/shapes.h"
 #include "common/projection/look_at.h"
+#include "common/projection/rotation.h"
+#include "common/projection/viewport.h"
 #include "common/viewer/camera.h"
 #include "common/viewer/flags.h"
 
@@ -14,7 +16,6 @@
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <numbers>
 
 namespace rasterlab {
 namespace {
@@ -80,10 +81,9 @@ Light default_light(const Camera& camera) {
 
 // Carried round the camera's centre about its up.
 Light turned(Light light, const Camera& camera, float angle) {
-  const Eigen::Affine3f turn = Eigen::Translation3f(camera.center) *
-                               Eigen::AngleAxisf(angle, camera.up.stableNormalized()) *
-                               Eigen::Translation3f(-camera.center);
-  light.position = turn.matrix() * light.position;
+  const Eigen::Matrix4f turn =
+      translation(camera.center) * rotation(angle, camera.up) * translation(-camera.center);
+  light.position = turn * light.position;
   return light;
 }
 
@@ -168,10 +168,8 @@ class Viewing {
   bool camera_turns() const { return flags_.frames > 0 && (flags_.turntable || !lit_); }
 
   View view(int frame) const {
-    const float angle = flags_.frames == 0
-                            ? 0
-                            : 2 * std::numbers::pi_v<float> * static_cast<float>(frame) /
-                                  static_cast<float>(flags_.frames);
+    const float angle =
+        360 * static_cast<float>(frame) / static_cast<float>(std::max(flags_.frames, 1));
     if (camera_turns()) return {transforms_of(turned(camera_, angle), stand_), light_};
     return {transforms_of(camera_, stand_), turned(light_, camera_, angle)};
   }
