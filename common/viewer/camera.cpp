@@ -156,6 +156,27 @@ Camera turned(const Camera& camera, float angle) {
   return result;
 }
 
+Camera raised(const Camera& camera, float angle) {
+  const Eigen::Vector3f offset = camera.eye - camera.center;
+  const Eigen::Vector3f up = camera.up.stableNormalized();
+  const Eigen::Vector3f axis = offset.cross(up);
+  const float from_up = std::atan2(axis.norm(), offset.dot(up)) * 180 / std::numbers::pi_v<float>;
+  const float allowed = from_up - std::clamp(from_up - angle, 1.0F, 179.0F);
+  Camera result = camera;
+  result.eye = camera.center + rotation(allowed, axis).topLeftCorner<3, 3>() * offset;
+  return result;
+}
+
+Camera zoomed(const Camera& camera, float factor) {
+  Camera result = camera;
+  if (camera.ortho_height) {
+    result.ortho_height = *camera.ortho_height * factor;
+  } else {
+    result.eye = camera.center + factor * (camera.eye - camera.center);
+  }
+  return result;
+}
+
 Transforms transforms_of(const Camera& camera, const Stand& stand) {
   const float aspect = static_cast<float>(stand.size.width) / static_cast<float>(stand.size.height);
   Transforms transforms;

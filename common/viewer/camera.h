@@ -59,6 +59,14 @@ Camera make_camera(const CameraWishes& wishes, const Stand& stand, int turns);
 /// from above.
 Camera turned(const Camera& camera, float angle);
 
+/// The camera raised round its centre toward `up` by an angle in degrees; it stops a degree short
+/// of looking along `up`.
+Camera raised(const Camera& camera, float angle);
+
+/// The camera `factor` times as far from its centre, or, without perspective, seeing `factor` times
+/// as much.
+Camera zoomed(const Camera& camera, float factor);
+
 /// View and projection; the model's matrix is the identity.
 Transforms transforms_of(const Camera& camera, const Stand& stand);
 

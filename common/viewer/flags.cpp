@@ -1,5 +1,6 @@
 #include "common/viewer/flags.h"
 
+#include "common/image/window.h"
 #include "common/stage/guard.h"
 
 #include <algorithm>
@@ -242,6 +243,11 @@ void add_output_flags(CLI::App& app, ViewerFlags& flags) {
   add_file(app, "--ids", "FILE.pgm|.pfm",
            "Write the index of the face seen at each pixel; nothing is 65535 in .pgm, -1 in .pfm",
            flags.ids);
+  if (windows_are_built_in()) {
+    app.add_flag("--window", flags.window,
+                 "Show it live: drag turns, the wheel zooms, Esc leaves; nothing is written")
+        ->group(group);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "common/image/animation.h"
 #include "common/image/files.h"
+#include "common/image/window.h"
 #include "common/mesh/read_mesh.h"
 #include "common/mesh/shapes.h"
 #include "common/projection/look_at.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <limits>
@@ -164,7 +166,31 @@ class Viewing {
     finish();
   }
 
+  // Until the window is closed.
+  void show() {
+    Frame frame = make_frame(stand_.size.width, stand_.size.height);
+    Window window("RasterLab: " + name_of(flags_));
+    bool changed = true;
+    for (WindowEvents events; !events.closed; events = window.poll(10)) {
+      changed = steer(events) || changed;
+      if (changed) draw_(view(0), frame);
+      if (changed) window.show(frame.color);
+      changed = false;
+    }
+  }
+
  private:
+  // Moves the camera as the mouse says; whether it said anything.
+  bool steer(const WindowEvents& events) {
+    constexpr float degrees_per_pixel = 0.4F;
+    constexpr float nearer_per_notch = 0.9F;
+    if (events.drag_x == 0 && events.drag_y == 0 && events.wheel == 0) return false;
+    camera_ = turned(camera_, -degrees_per_pixel * static_cast<float>(events.drag_x));
+    camera_ = raised(camera_, degrees_per_pixel * static_cast<float>(events.drag_y));
+    camera_ = zoomed(camera_, std::pow(nearer_per_notch, static_cast<float>(events.wheel)));
+    return true;
+  }
+
   bool camera_turns() const { return flags_.frames > 0 && (flags_.turntable || !lit_); }
 
   View view(int frame) const {
@@ -278,6 +304,9 @@ void check(const ViewerFlags& flags, const RunSettings& settings) {
     throw UsageError("--exercise " + settings.exercise +
                      ": expected without --mesh and --scene, which draw a mesh instead");
   }
+  if (flags.window && flags.frames > 0) {
+    throw UsageError("--window and --frames: expected one of the two");
+  }
   if (flags.turntable && flags.frames == 0) {
     throw UsageError("--turntable: expected with --frames N");
   }
@@ -294,7 +323,8 @@ OwnInput viewer(const ViewerOptions& options) {
           [=](Run& run) {
             if (printed_list(*flags, options)) return;
             check(*flags, run.settings());
-            Viewing(*flags, options, run).draw();
+            Viewing viewing(*flags, options, run);
+            flags->window ? viewing.show() : viewing.draw();
           },
   };
 }
