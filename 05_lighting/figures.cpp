@@ -3,7 +3,9 @@
 #include "common/image/animation.h"
 #include "common/image/side_by_side.h"
 #include "common/lighting/facing.h"
+#include "common/lighting/power_pictures.h"
 #include "common/lighting/shading.h"
+#include "common/lighting/turned_light.h"
 #include "common/lighting/vertex_normals.h"
 #include "common/lines/draw_line.h"
 #include "common/mesh/normals.h"
@@ -22,6 +24,7 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rasterlab {
@@ -216,14 +219,14 @@ void draw_shading_ladder(Run& run) {
 void draw_light_going_round(Run& run) {
   constexpr int frames = 100;
   const Mesh knot = make_shape("torus_knot", 12);
+  const Light in_front{.position = {0, 0.3F, 1, 0}};
   Animation animation;
   for (int i = 0; i < frames; ++i) {
     const float angle = 360.0F * static_cast<float>(i) / frames;
     Frame frame = frame_of(run, {120, 120});
-    const Eigen::Vector4f direction = rotation(angle, {0, 1, 0}) * Eigen::Vector4f(0, 0.3F, 1, 0);
     shade_phong({.mesh = knot,
                  .transforms = seen_from({0, 0.6F, 3}, frame),
-                 .light = {.position = direction},
+                 .light = turned_light(in_front, {0, 0, 0}, {0, 1, 0}, angle),
                  .material = {.shininess = 40},
                  .color = Color(0.95F, 0.75F, 0.3F)},
                 frame);
@@ -290,18 +293,22 @@ void draw_culling(Run& run) {
 // --- 05.8: from power 0 at the left to 10, the highlight alone above the sum ---
 
 void draw_specular_powers(Run& run) {
-  std::vector<Image<Rgb8>> alone;
+  const Mesh ball = make_shape("uv_sphere", 32);
+  const Transforms transforms = seen_from({0, 0, 3.2F}, make_frame(64, 64));
+  const LitMesh lit_ball_mesh{.mesh = ball,
+                              .transforms = transforms,
+                              .light = from_upper_left,
+                              .material = {},
+                              .color = clay};
+  std::vector<Image<Rgb8>> highlights;
   std::vector<Image<Rgb8>> sums;
   for (int power = 0; power <= 10; ++power) {
-    const Frame frame = make_frame(64, 64);
-    const Material sum{.specular = 0.6F, .shininess = static_cast<float>(power)};
-    const Material highlight{
-        .ambient = 0, .diffuse = 0, .specular = 0.6F, .shininess = sum.shininess};
-    alone.push_back(lit_ball(highlight, frame, clay));
-    sums.push_back(lit_ball(sum, frame, clay));
+    PowerPictures pictures = draw_power(lit_ball_mesh, static_cast<float>(power), 64, 64);
+    highlights.push_back(std::move(pictures.highlight));
+    sums.push_back(std::move(pictures.sum));
   }
-  alone.insert(alone.end(), sums.begin(), sums.end());
-  run.picture("05.8_powers", side_by_side(alone, 11, 2, dark));
+  highlights.insert(highlights.end(), sums.begin(), sums.end());
+  run.picture("05.8_powers", side_by_side(highlights, 11, 2, dark));
 }
 
 }  // namespace rasterlab

@@ -2,6 +2,7 @@
 // light and eye.
 #pragma once
 
+#include "common/image/check.h"
 #include "common/image/number.h"
 #include "common/lighting/reflection.h"
 #include "common/projection/scene.h"

@@ -7,6 +7,7 @@ template <class Number>
 Reflection<Number> blinn_phong(const Vector3<Number>& normal, const Vector3<Number>& to_light,
                                const Vector3<Number>& to_eye, const Light& light,
                                const Material& material) {
+  // <solution>
   const Number zero(0);
   const Number facing = dot(normal, to_light);
   const Vector3<Number> half = normalized(Vector3<Number>(
@@ -17,6 +18,8 @@ Reflection<Number> blinn_phong(const Vector3<Number>& normal, const Vector3<Numb
   return {Number(light.ambient_intensity * material.ambient),
           Number(light.intensity * material.diffuse) * maximum(facing, zero),
           Number(light.intensity * material.specular) * highlight};
+  // <starter> throw NotWritten("05.3", normal, to_light, to_eye, light, material);
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -1,8 +1,11 @@
 #include "common/lighting/facing.h"
 
+#include "common/image/check.h"
+
 namespace rasterlab {
 
 Facing facing(const std::array<Eigen::Vector4f, 3>& clip, bool mirrored) {
+  // <solution>
   // In double precision, products of two floats are exact.
   Eigen::Matrix3d corners;
   for (int i = 0; i < 3; ++i) {
@@ -12,6 +15,8 @@ Facing facing(const std::array<Eigen::Vector4f, 3>& clip, bool mirrored) {
   const double side = corners.determinant() * (mirrored ? -1 : 1);
   if (side > 0) return Facing::front;
   return side < 0 ? Facing::back : Facing::edge_on;
+  // <starter> throw NotWritten("05.7", clip, mirrored);
+  // </solution>
 }
 
 }  // namespace rasterlab

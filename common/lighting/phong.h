@@ -2,6 +2,7 @@
 // where the surface faces the light, and a highlight where it mirrors the light into the eye.
 #pragma once
 
+#include "common/image/check.h"
 #include "common/image/number.h"
 #include "common/lighting/reflection.h"
 #include "common/projection/scene.h"

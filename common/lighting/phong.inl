@@ -7,6 +7,7 @@ template <class Number>
 Reflection<Number> phong(const Vector3<Number>& normal, const Vector3<Number>& to_light,
                          const Vector3<Number>& to_eye, const Light& light,
                          const Material& material) {
+  // <solution>
   const Number zero(0);
   const Number facing = dot(normal, to_light);
   const Number mirrored = Number(2) * facing * dot(normal, to_eye) - dot(to_light, to_eye);  // r·e
@@ -15,6 +16,8 @@ Reflection<Number> phong(const Vector3<Number>& normal, const Vector3<Number>& t
   return {Number(light.ambient_intensity * material.ambient),
           Number(light.intensity * material.diffuse) * maximum(facing, zero),
           Number(light.intensity * material.specular) * highlight};
+  // <starter> throw NotWritten("05.2", normal, to_light, to_eye, light, material);
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -2,33 +2,13 @@
 // pixel.
 #pragma once
 
-#include "common/image/pixel.h"
-#include "common/lighting/blinn_phong.h"
-#include "common/lighting/phong.h"
-#include "common/mesh/mesh.h"
+#include "common/lighting/lit_mesh.h"
 #include "common/projection/draw_mesh.h"
 #include "common/projection/frame.h"
-#include "common/projection/scene.h"
 
 #include <array>
-#include <optional>
-
-#include <Eigen/Dense>
 
 namespace rasterlab {
-
-enum class ReflectionModel { phong, blinn_phong };
-
-/// A mesh in a light. The mesh has normals, one per vertex.
-struct LitMesh {
-  const Mesh& mesh;
-  Transforms transforms;
-  Light light;  ///< in the world
-  Material material;
-  std::optional<Color> color = std::nullopt;  ///< not given: the mesh's colours, else light grey
-  ReflectionModel model = ReflectionModel::phong;
-  Cull cull = Cull::none;
-};
 
 /// One rung: draws the mesh, nearest triangles winning. Positions, normals and directions are those
 /// of the world; normals move by normal_matrix() of the model. Nothing is lit from behind: a
@@ -40,8 +20,8 @@ using ShadeFunction = DrawCounts (*)(const LitMesh& lit_mesh, Frame& frame);
 /// corners' colours. Needs no vertex normals.
 DrawCounts shade_flat(const LitMesh& lit_mesh, Frame& frame);
 
-/// Lit at the corners, with their normals, and the colours interpolated: H. Gouraud, "Continuous
-/// Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
+/// Lit at the vertices, by light_vertices() of exercise 05.4, and the colours interpolated: H.
+/// Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
 DrawCounts shade_gouraud(const LitMesh& lit_mesh, Frame& frame);
 
 /// Lit at every pixel: position, normal and colour are interpolated, and the normal made a unit

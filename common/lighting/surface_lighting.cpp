@@ -1,6 +1,8 @@
 #include "common/lighting/surface_lighting.h"
 
 #include "common/image/check.h"
+#include "common/lighting/blinn_phong.h"
+#include "common/lighting/phong.h"
 #include "common/lighting/reflection.h"
 #include "common/projection/eye.h"
 #include "common/projection/normal_matrix.h"
@@ -37,16 +39,16 @@ Color SurfaceLighting::vertex_color(std::uint32_t vertex) const {
   return lit_mesh_.mesh.colors.empty() ? light_grey : lit_mesh_.mesh.colors[vertex];
 }
 
-SurfaceSample SurfaceLighting::corner(std::uint32_t triangle, std::size_t corner) const {
+SurfaceSample SurfaceLighting::vertex(std::uint32_t vertex) const {
   const Mesh& mesh = lit_mesh_.mesh;
   if (mesh.normals.empty()) throw CheckError("a mesh without normals can only be shaded flat");
-  const std::uint32_t vertex = mesh.triangles[triangle][corner];
   return {world_position(vertex), transform_normal(normal_matrix_, mesh.normals[vertex]),
           vertex_color(vertex)};
 }
 
 std::array<SurfaceSample, 3> SurfaceLighting::corners(std::uint32_t triangle) const {
-  return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+  const auto [a, b, c] = lit_mesh_.mesh.triangles[triangle];
+  return {vertex(a), vertex(b), vertex(c)};
 }
 
 SurfaceSample SurfaceLighting::face(std::uint32_t triangle) const {

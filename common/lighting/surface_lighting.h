@@ -1,8 +1,8 @@
-// A mesh's corners and faces in the world, ready to be lit: given.
+// A mesh's vertices and faces in the world, and the light on them: given.
 #pragma once
 
 #include "common/image/pixel.h"
-#include "common/lighting/shading.h"
+#include "common/lighting/lit_mesh.h"
 
 #include <array>
 #include <cstdint>
@@ -27,11 +27,10 @@ class SurfaceLighting {
  public:
   explicit SurfaceLighting(const LitMesh& lit_mesh);
 
-  /// Corner 0, 1 or 2 of a triangle with its vertex normal. Throws CheckError when the mesh has
-  /// none.
-  SurfaceSample corner(std::uint32_t triangle, std::size_t corner) const;
+  /// A vertex with its normal. Throws CheckError when the mesh has none.
+  SurfaceSample vertex(std::uint32_t vertex) const;
 
-  /// All three.
+  /// The three vertices of a triangle.
   std::array<SurfaceSample, 3> corners(std::uint32_t triangle) const;
 
   /// The centroid of a triangle, with the normal of the face and the mean of the corners' colours.

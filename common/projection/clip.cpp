@@ -1,6 +1,9 @@
 #include "common/projection/clip.h"
 
+#include "common/image/check.h"
+
 namespace rasterlab {
+// <solution>
 namespace {
 
 ClipPolygon whole(const ClipTriangle& triangle) {
@@ -35,15 +38,20 @@ ClipPolygon clip_at(const ClipPolygon& polygon, const Distance& distance) {
 }
 
 }  // namespace
+// </solution>
 
-ClipPolygon clip_drop(const ClipTriangle& triangle, const Eigen::Vector2f& /*guard*/) {
+ClipPolygon clip_drop(const ClipTriangle& triangle, [[maybe_unused]] const Eigen::Vector2f& guard) {
+  // <solution>
   for (const Eigen::Vector4f& corner : triangle) {
     if (!(distance_to_near(corner) >= 0)) return {};
   }
   return whole(triangle);
+  // <starter> throw NotWritten("04.9", triangle, guard);
+  // </solution>
 }
 
-ClipPolygon clip_near(const ClipTriangle& triangle, const Eigen::Vector2f& /*guard*/) {
+ClipPolygon clip_near(const ClipTriangle& triangle, [[maybe_unused]] const Eigen::Vector2f& guard) {
+  // <solution>
   const ClipPolygon polygon = whole(triangle);
   ClipPolygon inside;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -55,15 +63,20 @@ ClipPolygon clip_near(const ClipTriangle& triangle, const Eigen::Vector2f& /*gua
     if ((d_a >= 0) != (d_b >= 0)) inside.push_back(cut(a, d_a, b, d_b));
   }
   return inside;
+  // <starter> throw NotWritten("04.9", triangle, guard);
+  // </solution>
 }
 
 ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f& guard) {
+  // <solution>
   using Point = Eigen::Vector4f;
   ClipPolygon polygon = clip_at(whole(triangle), distance_to_near);
   polygon = clip_at(polygon, [&](const Point& p) { return guard.x() * p.w() + p.x(); });
   polygon = clip_at(polygon, [&](const Point& p) { return guard.x() * p.w() - p.x(); });
   polygon = clip_at(polygon, [&](const Point& p) { return guard.y() * p.w() + p.y(); });
   return clip_at(polygon, [&](const Point& p) { return guard.y() * p.w() - p.y(); });
+  // <starter> throw NotWritten("04.9", triangle, guard);
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -1,6 +1,9 @@
 #include "common/projection/look_at.h"
 
+#include "common/image/check.h"
+
 namespace rasterlab {
+// <solution>
 namespace {
 
 // Unit length, for vectors of any magnitude but 0.
@@ -16,9 +19,11 @@ Eigen::Vector3d least_axis(const Eigen::Vector3d& direction) {
 }
 
 }  // namespace
+// </solution>
 
 Eigen::Matrix4f look_at(const Eigen::Vector3f& eye, const Eigen::Vector3f& center,
                         const Eigen::Vector3f& up) {
+  // <solution>
   constexpr double smallest_angle = 1e-7;  // what a float's direction is certain to
   const Eigen::Vector3d position = eye.cast<double>();
   const Eigen::Vector3d backward =
@@ -33,6 +38,8 @@ Eigen::Matrix4f look_at(const Eigen::Vector3f& eye, const Eigen::Vector3f& cente
   view.topLeftCorner<3, 3>() = rotation;
   view.topRightCorner<3, 1>() = -rotation * position;
   return view.cast<float>();
+  // <starter> throw NotWritten("04.5", eye, center, up);
+  // </solution>
 }
 
 }  // namespace rasterlab

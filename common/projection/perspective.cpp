@@ -8,6 +8,7 @@
 namespace rasterlab {
 
 Eigen::Matrix4f perspective(float fovy, float aspect, float near, float far) {
+  // <solution>
   if (!(fovy > 0 && fovy < 180)) throw CheckError("a field of view is between 0 and 180 degrees");
   if (!(aspect > 0)) throw CheckError("the aspect, width / height, must be above 0");
   if (!(near > 0 && near < far)) throw CheckError("a perspective needs 0 < near < far");
@@ -21,6 +22,8 @@ Eigen::Matrix4f perspective(float fovy, float aspect, float near, float far) {
   matrix(2, 3) = 2 * near * shrink;
   matrix(3, 2) = -1;
   return matrix.cast<float>();
+  // <starter> throw NotWritten("04.4", fovy, aspect, near, far);
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -1,5 +1,6 @@
 #include "common/projection/render.h"
 
+#include "common/image/check.h"
 #include "common/lines/draw_line.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cmath>
 
 namespace rasterlab {
+// <solution>
 namespace {
 
 std::array<Color, 3> corner_colors(const Mesh& mesh, const Mesh::Triangle& triangle) {
@@ -47,9 +49,11 @@ void render_edge(const Eigen::Vector4f& a, const Eigen::Vector4f& b, const Rgb8&
 }
 
 }  // namespace
+// </solution>
 
 void render_wireframe(const Mesh& mesh, const Transforms& transforms, const Color& color,
                       Image<Rgb8>& image) {
+  // <solution>
   const Eigen::Matrix4f to_clip_space = transforms.to_clip();
   const Rgb8 stored = to_rgb8(color);
   for (const Mesh::Triangle& triangle : mesh.triangles) {
@@ -58,9 +62,12 @@ void render_wireframe(const Mesh& mesh, const Transforms& transforms, const Colo
       render_edge(corners[i], corners[(i + 1) % 3], stored, image);
     }
   }
+  // <starter> throw NotWritten("04.8", mesh, transforms, color, image);
+  // </solution>
 }
 
 void render_in_order(const Mesh& mesh, const Transforms& transforms, Image<Rgb8>& image) {
+  // <solution>
   const Eigen::Matrix4f to_clip_space = transforms.to_clip();
   for (const Mesh::Triangle& triangle : mesh.triangles) {
     const std::array<Color, 3> colors = corner_colors(mesh, triangle);
@@ -69,13 +76,18 @@ void render_in_order(const Mesh& mesh, const Transforms& transforms, Image<Rgb8>
       image(pixel.x, pixel.y) = to_rgb8(interpolate(colors, pixel.weights));
     });
   }
+  // <starter> throw NotWritten("04.8", mesh, transforms, image);
+  // </solution>
 }
 
 DrawCounts render_nearest(const Mesh& mesh, const Transforms& transforms, Cull cull, Frame& frame) {
+  // <solution>
   return draw_mesh(
       mesh, transforms, cull, frame, [&](std::uint32_t triangle, const TrianglePixel& pixel) {
         return interpolate(corner_colors(mesh, mesh.triangles[triangle]), pixel.weights);
       });
+  // <starter> throw NotWritten("04.8", mesh, transforms, cull, frame);
+  // </solution>
 }
 
 }  // namespace rasterlab

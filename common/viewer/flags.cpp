@@ -145,7 +145,7 @@ void add_camera_flags(CLI::App& app, CameraWishes& camera) {
 }
 
 void add_surface_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags& flags) {
-  if (options.lit) {
+  if (options.turn_light != nullptr) {
     add_numbers(app, "--light", "x,y,z,w",
                 "The light, at (x,y,z)/w, or in direction (x,y,z) when w is 0 (without w: 1); by "
                 "default far away, over the camera's left shoulder",

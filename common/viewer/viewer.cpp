@@ -6,8 +6,6 @@
 #include "common/mesh/read_mesh.h"
 #include "common/mesh/shapes.h"
 #include "common/projection/look_at.h"
-#include "common/projection/rotation.h"
-#include "common/projection/viewport.h"
 #include "common/viewer/camera.h"
 #include "common/viewer/flags.h"
 
@@ -81,14 +79,6 @@ Light default_light(const Camera& camera) {
   return light;
 }
 
-// Carried round the camera's centre about its up.
-Light turned(Light light, const Camera& camera, float angle) {
-  const Eigen::Matrix4f turn =
-      translation(camera.center) * rotation(angle, camera.up) * translation(-camera.center);
-  light.position = turn * light.position;
-  return light;
-}
-
 // --- What becomes of the pictures ---
 
 // "b_0007.png" for "b.png" and frame 7.
@@ -142,7 +132,7 @@ class Viewing {
         camera_(make_camera(merged(flags.camera, scene_ ? camera_of(*scene_) : CameraWishes{}),
                             stand_, camera_turns() ? flags.frames : 1)),
         light_(scene_ ? scene_->light : default_light(camera_)),
-        lit_(options.lit),
+        turn_light_(options.turn_light),
         draw_((flags.tiled ? options.tiled : options.exercise)(subject_)) {
     if (flags.light) light_.position = *flags.light;
     if (!flags.ids.empty() && subject_.mesh.triangles.size() > largest_id(flags.ids) + 1) {
@@ -191,13 +181,17 @@ class Viewing {
     return true;
   }
 
-  bool camera_turns() const { return flags_.frames > 0 && (flags_.turntable || !lit_); }
+  bool camera_turns() const {
+    return flags_.frames > 0 && (flags_.turntable || turn_light_ == nullptr);
+  }
 
   View view(int frame) const {
     const float angle =
         360 * static_cast<float>(frame) / static_cast<float>(std::max(flags_.frames, 1));
     if (camera_turns()) return {transforms_of(turned(camera_, angle), stand_), light_};
-    return {transforms_of(camera_, stand_), turned(light_, camera_, angle)};
+    const Transforms transforms = transforms_of(camera_, stand_);
+    if (turn_light_ == nullptr) return {transforms, light_};
+    return {transforms, turn_light_(light_, camera_.center, camera_.up, angle)};
   }
 
   nlohmann::json draw_timed(const View& view, Frame& frame) {
@@ -259,7 +253,7 @@ class Viewing {
   Stand stand_;
   Camera camera_;
   Light light_;
-  bool lit_;
+  decltype(ViewerOptions::turn_light) turn_light_;
   DrawFrame draw_;
   Animation animation_;
   std::vector<double> milliseconds_;

@@ -60,12 +60,15 @@ struct ViewerOptions {
   PrepareDrawing tiled = {};  ///< empty: no --engine, --threads, --simd
   bool tiled_by_default = false;
   std::vector<std::string> simd_targets = {};  ///< for `--simd list`, the best last
-  bool lit = false;                            ///< --light, --material
-  bool textured = false;                       ///< --texture
-  bool mapped = false;                         ///< --normal-map, --specular-map
-  std::vector<std::string> shaders = {};       ///< --shader; the first is the default
-  std::vector<std::string> filters = {};       ///< --filter; the first is the default
-  std::vector<std::string> wraps = {};         ///< --wrap; the first is the default
+  /// The light carried round an axis through a centre by an angle in degrees; given: --light,
+  /// --material, and --frames turns the light.
+  Light (*turn_light)(const Light& light, const Eigen::Vector3f& center,
+                      const Eigen::Vector3f& axis, float angle) = nullptr;
+  bool textured = false;                  ///< --texture
+  bool mapped = false;                    ///< --normal-map, --specular-map
+  std::vector<std::string> shaders = {};  ///< --shader; the first is the default
+  std::vector<std::string> filters = {};  ///< --filter; the first is the default
+  std::vector<std::string> wraps = {};    ///< --wrap; the first is the default
 };
 
 /// The viewer as one of a stage's own inputs: it runs when --mesh or --scene is given.
