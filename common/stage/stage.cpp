@@ -34,7 +34,7 @@ const nlohmann::json& manifest_entry(const nlohmann::json& manifest, const std::
 }
 
 void print_exercises(const Stage& stage) {
-  const nlohmann::json manifest = nlohmann::json::parse(stage_manifest);
+  const nlohmann::json manifest = nlohmann::json::parse(stage.manifest);
   for (const Exercise& exercise : stage.exercises) {
     const nlohmann::json& entry = manifest_entry(manifest, exercise.id);
     std::cout << exercise.id << "  " << entry.at("title").get<std::string>() << "\n";

@@ -46,6 +46,9 @@ struct OwnInput {
   std::function<void(Run&)> run;
 };
 
+/// The stage's exercises.json, built into its executable.
+extern const char* const stage_manifest;
+
 struct Stage {
   std::string name;  ///< "01_lines"
   std::vector<Exercise> exercises;
@@ -53,10 +56,8 @@ struct Stage {
   std::vector<OwnInput> own_inputs = {};
   /// Adds subcommands (`01_lines convert IN OUT`), each with its callback.
   std::function<void(CLI::App&)> add_commands = {};
+  const char* manifest = stage_manifest;
 };
-
-/// The stage's exercises.json, built into its executable.
-extern const char* const stage_manifest;
 
 /// Parses the command line and does what it says. Returns the exit status: 0 done, 1 bad input, 2
 /// bad usage. Each error is one line on standard error, "NAME: message"; a failed check also leaves
