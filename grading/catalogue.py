@@ -18,7 +18,7 @@ from typing import Any
 from grading import evaluate, jail
 from grading.errors import GradingError
 from grading.evaluate import Outcome, Verdict
-from grading.kit import BUILD, KIT, Kit, probe_name
+from grading.kit import Kit
 from grading.manifest import ROOT, Exercise
 
 # A mistake is named when at least this share of what is wrong agrees with it.
@@ -81,9 +81,9 @@ def known_mistakes(kit: Kit, exercise: Exercise) -> list[KnownMistake]:
 
 def _known(kit: Kit, exercise: Exercise, mistake: Mistake) -> KnownMistake:
     source = wrong_file(mistake, exercise)
-    reference = (BUILD / "bin" / probe_name(exercise.stage)).read_bytes()
+    reference = kit.reference(exercise.stage).read_bytes()
     key = hashlib.sha256(source + b"\0" + reference).hexdigest()[:20]
-    folder = KIT / "mistakes" / f"{mistake.id}-{key}"
+    folder = kit.folder / "mistakes" / f"{mistake.id}-{key}"
     numbers = [scene.number for scene in kit.scenes(exercise)]
     verdicts_file = folder / f"verdicts-{hashlib.sha256(str(numbers).encode()).hexdigest()[:8]}.json"
     if not verdicts_file.exists():

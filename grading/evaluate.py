@@ -15,7 +15,7 @@ from typing import Any
 
 from grading import jail
 from grading.errors import GradingError
-from grading.kit import BUILD, KIT, Kit, Scene, Unit, archive_name, probe_name
+from grading.kit import PROBE_SOURCES, Kit, Scene, Unit, archive_name, probe_object, probe_source
 from grading.manifest import ROOT, Exercise
 
 
@@ -76,37 +76,32 @@ def _tool_verdict(ended: jail.Ended, what: str) -> Built:
 
 def compile_unit(kit: Kit, unit: Unit, own: dict[str, pathlib.Path], output: pathlib.Path) -> jail.Ended:
     """Compiles one source file in a jail that holds headers without answers and the student's own file."""
-    mounts = {"/src": kit.include}
+    mounts = {"/src": kit.include, "/precompiled": kit.folder / "precompiled"}
     for name in {unit.source, *unit.headers}:
         mounts[f"/src/{name}"] = own.get(name, ROOT / name)
     flags = shlex.join(kit.compile_flags)
-    script = f"c++ {flags} -fdiagnostics-color=never -I/src -c /src/{unit.source} -o /tmp/o && cat /tmp/o >/out"
+    script = (f"c++ {flags} -fdiagnostics-color=never -include /precompiled/headers.hxx -I/src "
+              f"-c /src/{unit.source} -o /tmp/o && cat /tmp/o >/out")
     return jail.run(["/bin/sh", "-c", script], mounts, jail.COMPILE, empty_file(output))
 
 
 def link(kit: Kit, stage: str, objects: list[pathlib.Path], replaced: set[str],
          output: pathlib.Path) -> jail.Ended:
     """Links a probe with objects of a student and the reference's answers to all other exercises."""
-    probe = f"grading/probes/{probe_name(stage)}.cpp"
     mounts = {f"/own/{i}.o": path for i, path in enumerate(objects)}
-    for part in (probe, "grading/probes/probe.cpp", "grading/judge/records.cpp"):
+    for part in (probe_source(stage), *PROBE_SOURCES):
         if part not in replaced:
-            mounts[f"/kit/{pathlib.PurePath(part).stem}.o"] = _probe_object(stage, part)
+            mounts[f"/kit/{pathlib.PurePath(part).stem}.o"] = probe_object(stage, part)
     archives = ["given"]
     for source in kit.library_sources:
-        if source not in replaced and (KIT / f"archives/{archive_name(source)}.a").exists():
+        if source not in replaced and (kit.folder / f"archives/{archive_name(source)}.a").exists():
             archives.append(archive_name(source))
-    mounts |= {f"/kit/{name}.a": KIT / f"archives/{name}.a" for name in archives}
+    mounts |= {f"/kit/{name}.a": kit.folder / f"archives/{name}.a" for name in archives}
     objects_inside = [path for path in mounts if path.endswith(".o")]
     inside = [path for path in mounts if path.endswith(".a")]
     script = " ".join(["c++ -o /tmp/program", *objects_inside, "-Wl,--start-group", *inside, "-Wl,--end-group",
                        *kit.libraries, "&& cat /tmp/program >/out"])
     return jail.run(["/bin/sh", "-c", script], mounts, jail.LINK, empty_file(output))
-
-
-def _probe_object(stage: str, part: str) -> pathlib.Path:
-    folder = BUILD / f"grading/CMakeFiles/{probe_name(stage)}.dir"
-    return folder / (part.removeprefix("grading/") + ".o")
 
 
 def build(kit: Kit, exercise: Exercise, own: dict[str, pathlib.Path], folder: pathlib.Path) -> Built:
@@ -167,7 +162,7 @@ def judge(kit: Kit, exercise: Exercise, outcome: SceneOutcome, mistakes: dict[st
     """Compares a scene's result with the reference's, outside all jails."""
     assert outcome.result is not None
     judged = outcome.verdict is Verdict.WRONG
-    command = [str(BUILD / "bin/rasterlab_judge"), "--expected", str(kit.expected(exercise, outcome.scene)),
+    command = [str(kit.judge), "--expected", str(kit.expected(exercise, outcome.scene)),
                "--actual", str(outcome.result)]
     if pictures is not None and judged:
         pictures.mkdir(parents=True, exist_ok=True)
@@ -185,6 +180,9 @@ def judge(kit: Kit, exercise: Exercise, outcome: SceneOutcome, mistakes: dict[st
     if report["malformed"]:
         outcome.message = f"What the program wrote cannot be read: {report['malformed']}"
         outcome.records = []
+    elif "exception" in report:
+        outcome.message = f"It throws: {report['exception']}"
+        outcome.records = [record for record in outcome.records if record["right"]]
     elif report["right"]:
         outcome.verdict = Verdict.RIGHT
         outcome.score = 1.0
@@ -211,6 +209,7 @@ def evaluate(kit: Kit, exercise: Exercise, own: dict[str, pathlib.Path], folder:
     number, what known wrong answers computed; `pictures` gets those of the public scenes."""
     if exercise.file not in own:
         return Outcome(exercise, Verdict.NO_OUTPUT, message=f"The submission has no {exercise.file}.")
+    own = {exercise.file: own[exercise.file]}  # graded alone
     try:
         built = build(kit, exercise, own, folder)
         if built.program is None:

@@ -15,7 +15,7 @@ from grading.errors import GradingError, UsageError
 from grading.evaluate import Outcome, Verdict
 from grading.exports import grades, gradescope, html, junit, prairielearn
 from grading.intake import Submission
-from grading.kit import Kit
+from grading.kit import Kit, is_header
 from grading.manifest import Exercise
 from grading.record import Json, Record
 
@@ -111,7 +111,7 @@ def check_whole(kit: Kit, own: dict[str, pathlib.Path], scratch: pathlib.Path) -
             units = kit.units(exercise)
             if len(built) != len(units) or any(path.stat().st_size == 0 for path in built):
                 return {"verdict": "compile error", "message": f"{exercise.file} does not compile"}
-            if exercise.file.endswith(".h"):
+            if is_header(exercise.file):
                 continue  # two headers may be compiled into one source; each was checked alone
             objects += built
             replaced |= {unit.source for unit in units}

@@ -17,8 +17,8 @@ from grading.errors import GradingError, UsageError
 from grading.kit import Kit
 from grading.manifest import ROOT, Exercise
 
-# Whole files and folders that students never get.
-TEACHERS = ("grading/", "tests/grading/", "docs/teaching.md", "docs/grading-safety.md", ".ci/", ".github/")
+# Whole files and folders that students never get: the teachers', and the checks this repository makes of itself.
+TEACHERS = ("grading/", "tests/grading/", "tests/house/", "docs/teaching.md", "docs/grading-safety.md", ".ci/", ".github/")
 
 # A line of a solution that says something: shorter ones, as `}` or `return line;`, stand everywhere.
 TELLING_LENGTH = 28
@@ -92,7 +92,7 @@ def leaks(starter: Starter) -> list[str]:
     """Lines of a removed solution that stand anywhere in the starter."""
     lines: dict[str, str] = {}
     for name, content in starter.files.items():
-        if pathlib.PurePath(name).suffix in (".cpp", ".h", ".md", ".txt", ".json", ".py"):
+        if pathlib.PurePath(name).suffix in (".cpp", ".h", ".inl", ".md", ".txt", ".json", ".py"):
             for line in content.decode("utf-8", "replace").splitlines():
                 lines.setdefault(_bare(line), name)
     idioms = {_bare(line) for line in (ROOT / "grading" / "idioms.txt").read_text().splitlines()}

@@ -116,10 +116,10 @@ def _open_tar(archive: tarfile.TarFile, info: tarfile.TarInfo) -> IO[bytes]:
 
 def _exercise_file(path: str, allowed: tuple[str, ...]) -> tuple[str, bool] | None:
     """The exercise file that a path in a submission stands for, and whether it is in the starter's layout."""
-    clean = path.replace("\\", "/").lstrip("./")
-    parts = clean.split("/")
-    if ".." in parts or "__MACOSX" in parts:
+    parts = [part for part in path.replace("\\", "/").split("/") if part not in ("", ".")]
+    if not parts or ".." in parts or "__MACOSX" in parts:
         return None
+    clean = "/".join(parts)
     for file in allowed:
         if clean == file or clean.endswith("/" + file):
             return file, True

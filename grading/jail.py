@@ -36,7 +36,7 @@ class Limits:
 COMPILE = Limits(cpu_seconds=40, wall_seconds=90, memory=2048 * MIB, file_size=64 * MIB,
                  temporary=256 * MIB, processes=16)
 LINK = dataclasses.replace(COMPILE, cpu_seconds=30)
-RUN = Limits(cpu_seconds=10, wall_seconds=20, memory=1024 * MIB, file_size=32 * MIB,
+RUN = Limits(cpu_seconds=4, wall_seconds=10, memory=1024 * MIB, file_size=32 * MIB,
              temporary=16 * MIB, processes=4)
 
 

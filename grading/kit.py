@@ -9,13 +9,14 @@ import dataclasses
 import fcntl
 import functools
 import hashlib
+import json
+import os
 import pathlib
 import shlex
 import shutil
 import subprocess
 import sys
 import threading
-import json
 
 from grading import manifest
 from grading.errors import GradingError
@@ -23,6 +24,16 @@ from grading.manifest import ROOT, Exercise
 
 BUILD = ROOT / "build" / "grade"
 KIT = ROOT / "build" / "kit"
+
+JUDGE_SOURCES = ("grading/judge/main.cpp", "grading/judge/compare.cpp", "grading/judge/records.cpp",
+                 "grading/judge/segment.cpp")
+PROBE_SOURCES = ("grading/probes/probe.cpp", "grading/judge/records.cpp")
+
+# Parts of common that no exercise, probe or judge calls.
+NOT_NEEDED = ("common/engine/", "common/viewer/")
+
+# Templates' bodies stand in .inl files.
+HEADERS = (".h", ".inl")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,6 +69,8 @@ def run_tool(command: list[str], what: str) -> str:
 class Kit:
     def __init__(self, stages: list[str], secret: str) -> None:
         self.stages = stages
+        self.last_stage = max(manifest.stage_number(stage) for stage in stages)
+        self.folder = KIT / f"up_to_{self.last_stage:02}"  # what later stages bring is not needed
         self.secret = secret
         self._lock = threading.Lock()
 
@@ -65,26 +78,57 @@ class Kit:
 
     def prepare(self) -> None:
         """Builds the reference and takes it apart. Quick when nothing has changed."""
-        KIT.mkdir(parents=True, exist_ok=True)
-        with open(KIT / "lock", "w", encoding="utf-8") as lock:
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with open(self.folder / "lock", "w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)  # several shards may start at once
             self._build()
             self._copy_headers()
+            self._precompile_headers()
             self._make_archives()
+            self._link()
 
     def _build(self) -> None:
+        """Compiles what the probes and the judge need: neither engine nor viewer, which nobody is asked for."""
         if not (BUILD / "build.ninja").exists():
             run_tool(["cmake", "--preset", "grade"], "configuring the reference")
-        probes = [probe_name(stage) for stage in self.stages]
-        run_tool(["cmake", "--build", "--preset", "grade", "--target", "common", "rasterlab_judge", *probes],
-                 "building the reference")
+        # Re-runs CMake where files came or went; the list of what to compile is only good after that.
+        run_tool(["ninja", "-C", str(BUILD), "build.ninja"], "configuring the reference")
+        sources = [*self.library_sources, *JUDGE_SOURCES]
+        objects = [str(object_path(source).relative_to(BUILD)) for source in sources]
+        objects += [str(probe_object(stage, part).relative_to(BUILD)) for stage in self.stages
+                    for part in (probe_source(stage), *PROBE_SOURCES)]
+        run_tool(["ninja", "-C", str(BUILD), "-j", str(os.cpu_count() or 1),
+                  *dict.fromkeys(objects)], "building the reference")
+
+    def _link(self) -> None:
+        """The trusted programs: the judge, and a probe per stage with all of the reference's answers."""
+        self._link_program(self.judge, [object_path(source) for source in JUDGE_SOURCES])
+        for stage in self.stages:
+            self._link_program(self.reference(stage), [probe_object(stage, part)
+                                                       for part in (probe_source(stage), *PROBE_SOURCES)])
+
+    def _link_program(self, program: pathlib.Path, objects: list[pathlib.Path]) -> None:
+        archives = sorted((self.folder / "archives").glob("*.a"))
+        if program.exists() and program.stat().st_mtime >= max(p.stat().st_mtime for p in [*objects, *archives]):
+            return
+        program.parent.mkdir(exist_ok=True)
+        run_tool(["c++", "-o", str(program), *map(str, objects), "-Wl,--start-group", *map(str, archives),
+                  "-Wl,--end-group", *self.libraries], f"linking {program.name}")
+
+    @property
+    def judge(self) -> pathlib.Path:
+        return self.folder / "bin" / "judge"
+
+    def reference(self, stage: str) -> pathlib.Path:
+        return self.folder / "bin" / probe_name(stage)
 
     def _copy_headers(self) -> None:
         """include/: every header of common that is no answer; answers are empty files to mount on."""
-        fresh = KIT / f"include.{threading.get_native_id()}"
+        fresh = self.folder / "include.new"
         shutil.rmtree(fresh, ignore_errors=True)
         answers = self.answers
-        for path in sorted((ROOT / "common").rglob("*.h")):
+        for path in sorted(p for p in (ROOT / "common").rglob("*") if p.suffix in HEADERS
+                           and manifest.path_stage(p.relative_to(ROOT).as_posix()) <= self.last_stage):
             name = path.relative_to(ROOT).as_posix()
             (fresh / name).parent.mkdir(parents=True, exist_ok=True)
             (fresh / name).write_bytes(b"" if name in answers else path.read_bytes())
@@ -102,17 +146,32 @@ class Kit:
             shutil.rmtree(self.include, ignore_errors=True)
             fresh.rename(self.include)
 
+    def _precompile_headers(self) -> None:
+        """The headers that every file of the library is compiled with, so that what compiles in a starter does
+        here, and quickly."""
+        text = (BUILD / "common/CMakeFiles/common.dir/cmake_pch.hxx").read_text()
+        key = hashlib.sha256(f"{text}{self.compile_flags}{sys.version}".encode()).hexdigest()
+        folder = self.folder / "precompiled"
+        if (folder / "key").exists() and (folder / "key").read_text() == key:
+            return
+        folder.mkdir(exist_ok=True)
+        (folder / "headers.hxx").write_text(text)
+        run_tool(["c++", *self.compile_flags, "-x", "c++-header", str(folder / "headers.hxx"), "-o",
+                  str(folder / "headers.hxx.gch")], "precompiling headers")
+        (folder / "key").write_text(key)
+
     def _make_archives(self) -> None:
-        (KIT / "archives").mkdir(exist_ok=True)
-        answers = self.answers
-        given = [source for source in self.library_sources if source not in answers]
-        self._archive("given", given)
-        for source in self.library_sources:
-            if source in answers:
-                self._archive(archive_name(source), [source])
+        (self.folder / "archives").mkdir(exist_ok=True)
+        wanted = {"given": [source for source in self.library_sources if source not in self.answers]}
+        wanted |= {archive_name(source): [source] for source in self.library_sources if source in self.answers}
+        for stale in (self.folder / "archives").glob("*.a"):
+            if stale.stem not in wanted:
+                stale.unlink()
+        for name, sources in wanted.items():
+            self._archive(name, sources)
 
     def _archive(self, name: str, sources: list[str]) -> None:
-        path = KIT / "archives" / f"{name}.a"
+        path = self.folder / "archives" / f"{name}.a"
         objects = [object_path(source) for source in sources]
         if path.exists() and path.stat().st_mtime >= max(o.stat().st_mtime for o in objects):
             return
@@ -123,11 +182,11 @@ class Kit:
 
     @property
     def include(self) -> pathlib.Path:
-        return KIT / "include"
+        return self.folder / "include"
 
     @functools.cached_property
     def all_exercises(self) -> list[Exercise]:
-        return [exercise for stage in manifest.STAGES if (ROOT / stage).is_dir()
+        return [exercise for stage in manifest.STAGES[: self.last_stage] if (ROOT / stage).is_dir()
                 for exercise in manifest.exercises(stage)]
 
     @functools.cached_property
@@ -153,7 +212,9 @@ class Kit:
 
     @functools.cached_property
     def library_sources(self) -> list[str]:
-        return [source for source in self.commands if source.startswith("common/")]
+        return [source for source in self.commands
+                if source.startswith("common/") and not source.startswith(NOT_NEEDED)
+                and manifest.path_stage(source) <= self.last_stage]
 
     @functools.cached_property
     def compile_flags(self) -> list[str]:
@@ -176,24 +237,16 @@ class Kit:
     @functools.cached_property
     def libraries(self) -> list[str]:
         """Debian's libraries that the reference links."""
-        lines = run_tool(["ninja", "-C", str(BUILD), "-t", "commands", probe_name(self.stages[0])], "ninja")
+        lines = run_tool(["ninja", "-C", str(BUILD), "-t", "commands", "rasterlab_judge"], "ninja")
         tokens = shlex.split(lines.strip().splitlines()[-1])
-        return [token for token in tokens if token.startswith("/usr/lib/") or token.startswith("-l")]
+        # As needed: loading libraries that nothing calls would take longer than most scenes.
+        return ["-Wl,--as-needed", *(t for t in tokens if t.startswith("/usr/lib/") or t.startswith("-l"))]
 
     def units(self, exercise: Exercise) -> list[Unit]:
-        """What must be compiled for an exercise: its file; where that is a header, what includes it."""
-        headers = {file for file in self.answers if file.endswith(".h")}
-        probe = f"grading/probes/{probe_name(exercise.stage)}.cpp"
-
-        def seen(source: str) -> tuple[str, ...]:
-            return tuple(sorted(headers & self.dependencies.get(source, frozenset())))
-
-        if not exercise.file.endswith(".h"):
-            return [Unit(exercise.file, seen(exercise.file))]
-        sources = [source for source in [*self.library_sources, probe]
-                   if exercise.file in self.dependencies.get(source, frozenset())
-                   and not source.startswith(("common/engine/", "common/viewer/"))]
-        return [Unit(source, seen(source)) for source in sources]
+        """What must be compiled for an exercise: its file; where that is a header, the probe that includes it."""
+        headers = {file for file in self.answers if is_header(file)}
+        source = probe_source(exercise.stage) if is_header(exercise.file) else exercise.file
+        return [Unit(source, tuple(sorted(headers & self.dependencies.get(source, frozenset()))))]
 
     @functools.cached_property
     def dependencies(self) -> dict[str, frozenset[str]]:
@@ -204,7 +257,7 @@ class Kit:
         name = ""
         for line in [*run_tool(["ninja", "-C", str(BUILD), "-t", "deps"], "ninja").splitlines(), ""]:
             if line.startswith("    "):
-                path = pathlib.Path(line.strip())
+                path = pathlib.Path(os.path.normpath(BUILD / line.strip()))
                 if path.is_relative_to(ROOT):
                     current.append(path.relative_to(ROOT).as_posix())
             elif line:
@@ -225,8 +278,8 @@ class Kit:
 
     def expected(self, exercise: Exercise, scene: Scene) -> pathlib.Path:
         """The reference's result file."""
-        program = BUILD / "bin" / probe_name(exercise.stage)
-        path = KIT / "expected" / self._program_digest(program) / exercise.id / f"{scene.number}.result"
+        program = self.reference(exercise.stage)
+        path = self.folder / "expected" / self._program_digest(program) / exercise.id / f"{scene.number}.result"
         with self._lock:
             if not path.exists():
                 path.parent.mkdir(parents=True, exist_ok=True)
@@ -246,12 +299,16 @@ class Kit:
         parts = [str(self.stages), self.secret, str(self.compile_flags), sys.version,
                  run_tool(["c++", "--version"], "c++"), _tree_digest(self.include)]
         for stage in self.stages:
-            parts.append(self._program_digest(BUILD / "bin" / probe_name(stage)))
+            parts.append(self._program_digest(self.reference(stage)))
             parts.append((ROOT / stage / "exercises.json").read_text())
-        parts.append(self._program_digest(BUILD / "bin" / "rasterlab_judge"))
+        parts.append(self._program_digest(self.judge))
         for path in sorted([*(ROOT / "grading").rglob("*.py"), *(ROOT / "grading/mutants").glob("*.toml")]):
             parts.append(path.read_text())
         return hashlib.sha256("\0".join(parts).encode()).hexdigest()
+
+
+def is_header(name: str) -> bool:
+    return pathlib.PurePath(name).suffix in HEADERS
 
 
 def probe_name(stage: str) -> str:
@@ -262,14 +319,22 @@ def archive_name(source: str) -> str:
     return source.removeprefix("common/").removesuffix(".cpp").replace("/", ".")
 
 
+def probe_source(stage: str) -> str:
+    return f"grading/probes/{probe_name(stage)}.cpp"
+
+
 def object_path(source: str) -> pathlib.Path:
-    """Where CMake puts the object of a source file."""
+    """Where CMake puts the object of a source file of the library, the judge or a probe."""
     if source.startswith("common/"):
         return BUILD / "common/CMakeFiles/common.dir" / (source.removeprefix("common/") + ".o")
     if source.startswith("grading/probes/stage"):
-        program = pathlib.PurePath(source).stem
-        return BUILD / f"grading/CMakeFiles/{program}.dir" / (source.removeprefix("grading/") + ".o")
-    return BUILD / source
+        return probe_object(f"{pathlib.PurePath(source).stem[5:7]}_", source)
+    return BUILD / "grading/CMakeFiles/rasterlab_judge.dir" / (source.removeprefix("grading/") + ".o")
+
+
+def probe_object(stage: str, part: str) -> pathlib.Path:
+    """The object of a source file as the probe of a stage is linked with it."""
+    return BUILD / f"grading/CMakeFiles/{probe_name(stage)}.dir" / (part.removeprefix("grading/") + ".o")
 
 
 def _hash(text: str) -> bytes:

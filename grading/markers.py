@@ -19,7 +19,7 @@ import re
 
 from grading.errors import GradingError
 
-MARKED = {".cpp", ".h", ".txt", ".cmake", ".md"}
+MARKED = {".cpp", ".h", ".inl", ".txt", ".cmake", ".md"}
 
 _MARKER = re.compile(
     r"^(?P<indent>[ \t]*)(?://|#|<!--)[ \t]*<(?P<name>/?(?:solution|starter|teacher))>[ ]?"
@@ -33,7 +33,7 @@ class Stripped:
 
 
 def is_marked(path: pathlib.PurePath) -> bool:
-    return path.suffix in MARKED
+    return path.suffix in MARKED or str(path) == "lab"
 
 
 def strip(text: str, as_starter: bool, name: str = "text") -> Stripped:

@@ -96,6 +96,8 @@ def _scene(entry: Json, scene: Json) -> str:
         if result["right"]:
             continue
         body += f"<p><strong>{html.escape(result['name'])}.</strong> {html.escape(result['message'])}</p>\n"
+        if kind := result.get("kind_of_wrong"):
+            body += _paragraph(f"It looks {kind}.")
         body += _pictures(f"{entry['id']}/{scene['number']}", result.get("pictures", {}))
         body += _pre(result.get("grid", ""))
     if not scene["results"]:

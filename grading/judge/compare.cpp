@@ -1,11 +1,15 @@
 #include "grading/judge/compare.h"
 
+#include "common/image/difference.h"
+
 #include "grading/judge/segment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
+#include <utility>
 
 namespace rasterlab::grading {
 namespace {
@@ -23,9 +27,6 @@ std::size_t pixel_count(const Record& record) {
   return static_cast<std::size_t>(record.width) * static_cast<std::size_t>(record.height);
 }
 
-/// The top left pixel of what is expected is its background.
-constexpr std::size_t background_pixel = 0;
-
 std::vector<double> channels_at(const Record& record, std::size_t pixel) {
   const auto count = static_cast<std::size_t>(record.channels);
   std::vector<double> channels;
@@ -34,6 +35,20 @@ std::vector<double> channels_at(const Record& record, std::size_t pixel) {
                                                          : record.bytes[pixel * count + c]);
   }
   return channels;
+}
+
+/// A pixel of the commonest value, which is the background.
+std::size_t background_pixel(const Record& record) {
+  if (record.kind == RecordKind::coverage) return 0;
+  std::map<std::vector<double>, std::pair<std::size_t, std::size_t>>
+      counts;  // how often, and where
+  std::pair<std::size_t, std::size_t> commonest = {0, 0};
+  for (std::size_t i = 0; i < pixel_count(record); ++i) {
+    auto& [count, place] = counts[channels_at(record, i)];
+    if (count++ == 0) place = i;
+    if (count > commonest.first) commonest = {count, place};
+  }
+  return commonest.second;
 }
 
 bool same_pixel(const Record& expected, const Record& actual, std::size_t pixel) {
@@ -60,9 +75,11 @@ Pixel compare_covered(const Record& expected, const Record& actual, std::size_t 
   }
 }
 
-Pixel compare_pixel(const Record& expected, const Record& actual, std::size_t i) {
+/// `background_at` is background_pixel(expected).
+Pixel compare_pixel(const Record& expected, const Record& actual, std::size_t i,
+                    std::size_t background_at) {
   if (expected.kind == RecordKind::coverage) return compare_covered(expected, actual, i);
-  const std::vector<double> background = channels_at(expected, background_pixel);
+  const std::vector<double> background = channels_at(expected, background_at);
   const bool wanted = channels_at(expected, i) != background;
   if (same_pixel(expected, actual, i)) return wanted ? Pixel::right : Pixel::blank;
   if (!wanted) return Pixel::extra;
@@ -84,8 +101,9 @@ struct PictureCount {
 
 PictureCount count_pixels(const Record& expected, const Record& actual) {
   PictureCount count;
+  const std::size_t background = background_pixel(expected);
   for (std::size_t i = 0; i < pixel_count(expected); ++i) {
-    const Pixel pixel = compare_pixel(expected, actual, i);
+    const Pixel pixel = compare_pixel(expected, actual, i, background);
     count.right += pixel == Pixel::right;
     count.missing += pixel == Pixel::missing;
     count.extra += pixel == Pixel::extra;
@@ -224,10 +242,11 @@ double likeness(const Record& expected, const Record& actual, const Record& othe
   std::size_t alike = 0;
   std::size_t off = 0;
   const bool picture = is_picture(expected);
+  const std::size_t background = picture ? background_pixel(expected) : 0;
   const std::size_t count = picture ? pixel_count(expected) : expected.numbers.size();
   for (std::size_t i = 0; i < count; ++i) {
     const auto differs = [&](const Record& record) {
-      if (picture) return compare_pixel(expected, record, i) >= Pixel::missing;
+      if (picture) return compare_pixel(expected, record, i, background) >= Pixel::missing;
       return !same_number(expected.numbers[i], record.numbers[i], expected.tolerance);
     };
     if (!differs(actual) && !differs(other)) continue;
@@ -244,15 +263,23 @@ double likeness(const Record& expected, const Record& actual, const Record& othe
   return off == 0 ? 0 : double(alike) / double(off);
 }
 
+std::string kind_of_wrong(const Record& expected, const Record& actual) {
+  const Image<Rgb8> wanted = to_image(expected);
+  const Image<Rgb8> got = to_image(actual);
+  if (wanted.empty() || got.empty()) return "";
+  return compare_images(AnyImage(got), AnyImage(wanted)).kind_of_wrong;
+}
+
 std::string character_grid(const Record& expected, const Record& actual) {
   if (!is_picture(expected) || actual.width != expected.width || actual.height != expected.height ||
       actual.channels != expected.channels)
     return "";
   int left = expected.width, right = -1, top = expected.height, bottom = -1;
+  const std::size_t background = background_pixel(expected);
   const auto at = [&](int x, int y) {
-    return compare_pixel(expected, actual,
-                         static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width) +
-                             static_cast<std::size_t>(x));
+    const auto width = static_cast<std::size_t>(expected.width);
+    const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+    return compare_pixel(expected, actual, i, background);
   };
   for (int y = 0; y < expected.height; ++y) {
     for (int x = 0; x < expected.width; ++x) {
@@ -308,8 +335,9 @@ Image<Rgb8> difference_image(const Record& expected, const Record& actual) {
       actual.channels != expected.channels)
     return {};
   Image<Rgb8> image(expected.width, expected.height);
+  const std::size_t background = background_pixel(expected);
   for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    switch (compare_pixel(expected, actual, i)) {
+    switch (compare_pixel(expected, actual, i, background)) {
       case Pixel::blank:
         break;
       case Pixel::right:

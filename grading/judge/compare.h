@@ -27,6 +27,10 @@ double likeness(const Record& expected, const Record& actual, const Record& othe
 /// How many places of the record `other` has wrong (pixels, numbers, or 1 for a text).
 std::size_t wrong_places(const Record& expected, const Record& other);
 
+/// What the whole picture looks like, as "flipped in y"; empty where nothing fits or the record is
+/// no picture.
+std::string kind_of_wrong(const Record& expected, const Record& actual);
+
 /// A small picture as text: `#` right, `?` missing, `!` extra, `x` drawn differently, `.` nothing.
 /// Empty for what is no picture or is larger than 64 × 64 around its wrong pixels.
 std::string character_grid(const Record& expected, const Record& actual);

@@ -51,7 +51,10 @@ Json judge_record(const Options& options, std::size_t index, const Record& expec
                {"right", result.right},
                {"score", result.score},
                {"message", result.message}};
-  if (!result.right) json["grid"] = character_grid(expected, actual);
+  if (!result.right) {
+    json["grid"] = character_grid(expected, actual);
+    json["kind_of_wrong"] = kind_of_wrong(expected, actual);
+  }
   if (!options.pictures.empty() && actual.kind == expected.kind)
     json["pictures"] = write_pictures(options.pictures, index, expected, actual);
   return json;
@@ -67,7 +70,9 @@ double likeness_of_files(const std::vector<Record>& expected, const std::vector<
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Record& a = i < actual.size() ? actual[i] : nothing;
     const Record& m = i < mistake.size() ? mistake[i] : nothing;
-    if (wrong_places(expected[i], a) == 0 && wrong_places(expected[i], m) == 0) continue;
+    const bool both_missing = i >= actual.size() && i >= mistake.size();  // says nothing
+    if (both_missing || (wrong_places(expected[i], a) == 0 && wrong_places(expected[i], m) == 0))
+      continue;
     sum += likeness(expected[i], a, m);
     ++count;
   }
@@ -82,6 +87,9 @@ Json judge(const Options& options) {
     actual = read_results(options.actual);
   } catch (const InputError& error) {
     json["malformed"] = error.what();
+  }
+  for (const Record& record : actual) {
+    if (record.name == "exception") json["exception"] = record.text;
   }
   double score = 0;
   bool right = actual.size() == expected.size();

@@ -1,0 +1,35 @@
+"""The catalogue of known mistakes against the reference as it is now."""
+
+import tomllib
+
+import pytest
+
+from grading import catalogue, manifest, selftest
+from grading.manifest import ROOT
+
+STAGES = selftest.graded_stages()
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_every_mistake_still_applies(stage: str) -> None:
+    exercises = {exercise.id: exercise for exercise in manifest.exercises(stage)}
+    for mistake in catalogue.mistakes(stage):
+        exercise = exercises[mistake.exercise]
+        assert catalogue.wrong_file(mistake, exercise) != (ROOT / exercise.file).read_bytes()
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_every_graded_exercise_has_a_mistake(stage: str) -> None:
+    known = {mistake.exercise for mistake in catalogue.mistakes(stage)}
+    assert known == {exercise.id for exercise in manifest.exercises(stage) if not exercise.grading.by_hand}
+
+
+def test_names_are_unique() -> None:
+    names = [mistake.id for stage in STAGES for mistake in catalogue.mistakes(stage)]
+    assert len(names) == len(set(names))
+
+
+def test_answers_in_other_words_name_known_mistakes() -> None:
+    names = {mistake.id for stage in manifest.STAGES for mistake in catalogue.mistakes(stage)}
+    answers = tomllib.loads((ROOT / "grading/mutants/in_other_words.toml").read_text())["answer"]
+    assert {answer["named"] for answer in answers} <= names

@@ -1,0 +1,79 @@
+"""What is published: the published schemas, and nothing of a student's unescaped."""
+
+import csv
+import io
+import json
+import xml.etree.ElementTree as ET
+
+from grading.exports import grades, gradescope, html, junit, prairielearn
+from grading.record import Json, Record
+
+EVIL = "</pre><script>alert(1)</script>\x00\x1b[31m"
+
+
+def entry(identity: str, verdict: str, score: float | None, **more: object) -> Json:
+    return {"id": identity, "title": "A title", "file": "common/x.cpp", "contract": "common/x.h",
+            "section": "01_lines/README.md, exercise 01.5", "verdict": verdict, "score": score, "max_score": 3.0,
+            "message": EVIL, "compiler": EVIL, "mistake": None, "scenes": [
+                {"name": "scene 1", "number": 1, "hidden": False, "verdict": verdict, "score": 0, "max_score": 1.5,
+                 "message": EVIL, "printed": EVIL,
+                 "results": [{"name": EVIL, "right": False, "message": EVIL, "grid": EVIL, "score": 0,
+                              "pictures": {"actual": "a.png", "expected": "b.png"}}]},
+                {"name": "hidden scene", "hidden": True, "verdict": "wrong", "score": 0, "max_score": 1.5}], **more}
+
+
+def record(*entries: Json) -> Record:
+    failed = any(e["score"] is None for e in entries)
+    return Record({"version": 1, "submission": "=cmd|<b>", "digest": "", "stages": ["01_lines"], "notes": [EVIL],
+                   "limits_not_enforced": [EVIL], "max_score": 3.0 * len(entries), "exercises": list(entries),
+                   "score": None if failed else sum(e["score"] for e in entries),
+                   "whole": {"verdict": "right", "message": EVIL}})
+
+
+def test_html_escapes_everything() -> None:
+    graded = record(entry("01.5", "wrong", 1.0))
+    for page in (html.student(graded), html.class_page([graded])):
+        assert "<script" not in page and "<b>" not in page
+        assert "default-src 'none'" in page
+
+
+def test_hidden_scene_shows_its_verdict_only() -> None:
+    hidden = entry("01.5", "wrong", 1.0)
+    page = html.student(record(hidden))
+    assert page.count("hidden scene") == 1
+    assert "message" not in hidden["scenes"][1]
+
+
+def test_gradescope_schema() -> None:
+    results = json.loads(gradescope.export(record(entry("01.5", "wrong", 1.0), entry("01.6", "right", 3.0))))
+    assert results["score"] == 4.0
+    allowed = {"score", "max_score", "status", "name", "name_format", "number", "output", "output_format", "tags",
+               "visibility", "extra_data"}
+    assert all(set(test) <= allowed for test in results["tests"])
+    assert all(test["output_format"] == "text" for test in results["tests"])
+    assert sum(test.get("score", 0) for test in results["tests"]) == results["score"]
+    assert {"name", "value"} <= set(results["leaderboard"][0])
+
+
+def test_grader_error_is_no_zero() -> None:
+    graded = record(entry("01.5", "grader error", None), entry("01.6", "right", 3.0))
+    assert "score" not in json.loads(gradescope.export(graded))
+    assert json.loads(prairielearn.export(graded))["gradable"] is False
+    row = list(csv.DictReader(io.StringIO(grades.export([graded]))))[0]
+    assert row["score"] == "" and row["01.5"] == "" and row["complete"] == "no"
+    assert "not a zero" in html.student(graded)
+    assert "Failures of the grader: 1" in html.class_page([graded])
+
+
+def test_prairielearn_score_is_a_share() -> None:
+    assert json.loads(prairielearn.export(record(entry("01.5", "wrong", 1.5))))["score"] == 0.5
+
+
+def test_junit_is_well_formed() -> None:
+    root = ET.fromstring(junit.export([record(entry("01.5", "wrong", 1.0), entry("01.6", "grader error", None))]))
+    suite = root[0]
+    assert suite.get("failures") == "1" and suite.get("errors") == "1"
+
+
+def test_csv_cell_is_no_formula() -> None:
+    assert list(csv.reader(io.StringIO(grades.export([record(entry("01.5", "wrong", 1.0))]))))[1][0].startswith("'=")

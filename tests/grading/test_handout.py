@@ -1,0 +1,61 @@
+"""What a starter tree holds, before it is built."""
+
+import pathlib
+import subprocess
+
+import pytest
+
+from grading import archive, handout, manifest, selftest
+from grading.kit import Kit
+
+STAGES = selftest.graded_stages()
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_every_exercise_has_a_starter(stage: str) -> None:
+    handout.check_markers(handout.make_starter([stage]), list(manifest.exercises(stage)))
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_no_answer_is_left(stage: str) -> None:
+    handout.check_leaks(handout.make_starter([stage]), Kit([stage], "secret"))
+
+
+def test_a_leak_is_found() -> None:
+    starter = handout.make_starter([STAGES[0]])
+    line = "  const int direction = to.y() < from.y() ? -1 : 1;"
+    assert line in starter.removed["common/lines/bresenham.cpp"][0]
+    starter.files["docs/extra.md"] = line.replace(" ", "   ").encode()
+    assert ["docs/extra.md" in leak for leak in handout.leaks(starter)] == [True]
+
+
+def test_later_stages_and_teachers_parts_are_absent() -> None:
+    files = handout.make_starter(["02_triangles"]).files
+    assert "02_triangles/main.cpp" in files and "01_lines/main.cpp" in files
+    assert not [f for f in files if f.startswith(("03_", "grading/", "common/zbuffer", "tests/grading", "tests/stage03",
+                                                  "common/engine"))]
+    assert "docs/teaching.md" not in files
+    assert b"selftest" not in files["lab"]
+
+
+def test_earlier_stages_are_solved() -> None:
+    starter = handout.make_starter(["02_triangles"])
+    assert not [file for file in starter.removed if file.startswith("common/lines")]
+    assert b"NotWritten" not in starter.files["common/lines/bresenham.cpp"]
+
+
+def test_archive_is_reproducible(tmp_path: pathlib.Path) -> None:
+    packed = []
+    for name in ("a", "b"):
+        (tmp_path / name / "x").mkdir(parents=True)
+        (tmp_path / name / "x" / "run").write_text("#!/bin/sh\n")
+        (tmp_path / name / "x" / "run").chmod(0o755)
+        (tmp_path / name / "y").write_text("text")
+        packed.append(archive.tar_gz(tmp_path / name, "starter"))
+    assert packed[0] == packed[1]
+
+
+def test_checksums_are_sha256sums(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "a").write_text("text")
+    (tmp_path / archive.CHECKSUMS).write_text(archive.checksums(tmp_path))
+    subprocess.run(["sha256sum", "--check", "--quiet", archive.CHECKSUMS], cwd=tmp_path, check=True)
