@@ -19,18 +19,19 @@ namespace rasterlab {
 /// Throws InputError, whose message names the file, in a text the line, and what was expected.
 /// Memory follows the size of the file, never a count in it.
 ///
-/// Why OpenMesh reads OM only: its other readers (version 9) report success where they have dropped
-/// or misread something, never say in which line, abort on some broken files, and loop or allocate
-/// without end on others.
-///   OFF  colours are dropped or taken for 0…255 (course C), face colours too; big-endian files
-///   misread OBJ  of a vertex's normals only the last is kept; faces with an index out of range or
-///   that are not
-///        manifold are dropped or torn off; `\` does not continue a line; "f //1" aborts
-///   PLY  binary files with doubles give zeros, lists that are not counted in bytes or not known
-///   shift all
-///        that follows; a header without end never ends
-///   STL  a binary file that begins with "solid" has no faces; what is cut off or no number goes
-///   unnoticed
+/// OpenMesh reads OM files only. Its other readers (version 9.0) report success where they have
+/// dropped or misread something, never say in which line, and some broken files abort the process:
+///
+/// OFF: colours that the header does not announce are dropped, and faces that have one with them;
+///      whole numbers count as 0…255; files of the other byte order are misread; a count is
+///      allocated whatever it is.
+/// OBJ: of a vertex's normals only the last is kept; a face with an index out of range is
+///      dropped, or joined to a copy of a vertex that OpenMesh made; `\` does not continue a
+///      line; "f //1" aborts.
+/// PLY: a header without end is read for ever; a second list of a face costs other faces; a
+///      face with an index out of range is dropped; the length of a list is allocated whatever
+///      it is.
+/// STL: of a file that is cut off nothing is left; words that are no numbers go unnoticed.
 Mesh read_mesh(const std::filesystem::path& file);
 
 /// The mesh in the bytes of a file of that name.

@@ -49,7 +49,7 @@ TEST(stage01_read_stl, text) {
 
 TEST(stage01_read_stl, binary_whatever_its_title) {
   expect_square(read_as("a.stl", binary("made here")));
-  expect_square(read_as("a.stl", binary("solid that OpenMesh takes for a text")));
+  expect_square(read_as("a.stl", binary("solid as a text begins")));
   expect_square(read_as("a.stl", binary("title") + "more at the end"));
 }
 
