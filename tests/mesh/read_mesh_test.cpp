@@ -115,6 +115,40 @@ TEST(stage01_read_mesh, noise) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+// ---- Files written for this project
+
+/// Six times the volume; positive when faces are counter-clockwise seen from outside.
+float six_volumes(const Mesh& mesh) {
+  float sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sum += mesh.positions[a].dot(mesh.positions[b].cross(mesh.positions[c]));
+  }
+  return sum;
+}
+
+TEST(stage01_read_mesh, coloured_cube) {
+  const Mesh cube = read_mesh(fs::path(RASTERLAB_SOURCE) / "data/cube.off");
+  expect_sane(cube);
+  ASSERT_EQ(cube.positions.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(cube.colors[i], (cube.positions[i] + Eigen::Vector3f::Ones()) / 2);
+  }
+  EXPECT_EQ(cube.triangles.size(), 12U);
+  EXPECT_EQ(six_volumes(cube), 6 * 8);
+  EXPECT_EQ(six_volumes(make_shape("cube")), 6 * 8);
+}
+
+TEST(stage01_read_mesh, textured_wall) {
+  const Mesh wall = read_mesh(fs::path(RASTERLAB_SOURCE) / "data/wall.off");
+  expect_sane(wall);
+  ASSERT_EQ(wall.texture_coordinates.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2f flat(wall.positions[i].x(), wall.positions[i].y());
+    EXPECT_EQ(wall.texture_coordinates[i], (flat + Eigen::Vector2f(4, 1)) / 2)
+        << "bricks keep their shape";
+  }
+}
+
 // ---- Files that no one here wrote
 
 TEST(stage01_read_mesh, zoo_reads_or_refuses_in_silence) {
