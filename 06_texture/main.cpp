@@ -1,7 +1,37 @@
 // Stage 06: pictures on surfaces, seen in perspective. The order is that of the lab sheet,
 // README.md.
 #include "common/stage/stage.h"
+#include "common/texture/perspective_ladder.h"
+#include "common/texture/sample.h"
+#include "common/viewer/viewer.h"
+
+#include "06_texture/any_mesh.h"
+#include "06_texture/figures.h"
+
+namespace {
+
+template <class Rungs>
+rasterlab::Ladder ladder(const std::string& exercise, const Rungs& rungs) {
+  rasterlab::Ladder ladder{.exercise = exercise, .rungs = {}};
+  for (const auto& rung : rungs) ladder.rungs.push_back({rung.name, rung.known_fault});
+  return ladder;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
-  return rasterlab::run_stage(argc, argv, {.name = "06_texture", .exercises = {}});
+  using namespace rasterlab;
+  return run_stage(
+      argc, argv,
+      {.name = "06_texture",
+       .exercises = {{"06.1", &draw_wrap_modes},
+                     {"06.2", &draw_planet},
+                     {"06.3", &draw_perspective_ladder},
+                     {"06.4", &draw_filter_ladder}},
+       .ladders = {ladder("06.3", perspective_ladder()), ladder("06.4", filter_ladder())},
+       .own_inputs = {viewer({.exercise = &draw_any_mesh,
+                              .lit = true,
+                              .textured = true,
+                              .filters = filter_names(),
+                              .wraps = wrap_names()})}});
 }

@@ -7,6 +7,7 @@
 
 #include "common/mesh/shader_types.h"
 #include "common/shaders/inputs.h"
+#include "common/texture/textured_mesh.h"
 
 #include <cstdint>
 #include <tuple>

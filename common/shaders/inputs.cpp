@@ -9,10 +9,4 @@ const Sampler& required(const std::optional<Sampler>& sampler, const char* flag)
   return *sampler;
 }
 
-void require_texture_coordinates(const Mesh& mesh) {
-  if (mesh.texture_coordinates.empty()) {
-    throw InputError("this shader needs a mesh with texture coordinates");
-  }
-}
-
 }  // namespace rasterlab

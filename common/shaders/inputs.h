@@ -31,9 +31,6 @@ struct ShaderInputs {
 /// gives it.
 const Sampler& required(const std::optional<Sampler>& sampler, const char* flag);
 
-/// Throws InputError where the mesh has no texture coordinates.
-void require_texture_coordinates(const Mesh& mesh);
-
 /// Where neither is given and the mesh has none: light grey.
 inline Color default_color() {
   return Color::Constant(0.75F);

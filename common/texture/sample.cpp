@@ -2,6 +2,8 @@
 
 #include "common/image/check.h"
 
+#include <algorithm>
+
 namespace rasterlab {
 namespace {
 
@@ -35,6 +37,21 @@ const std::array<FilterRung, 5>& filter_ladder() {
        {Filter::trilinear, "trilinear", "blurred at grazing angles"},
        {Filter::anisotropic, "anisotropic", "blurred where a pixel is over 16 times as long"}}};
   return ladder;
+}
+
+std::vector<std::string> filter_names() {
+  std::vector<std::string> names;
+  for (const FilterRung& rung : filter_ladder()) names.push_back(rung.name);
+  // The first is taken where none is asked for.
+  const auto usual = std::find(names.begin(), names.end(), "trilinear");
+  std::rotate(names.begin(), usual, usual + 1);
+  return names;
+}
+
+std::vector<std::string> wrap_names() {
+  std::vector<std::string> names;
+  for (const NamedWrap& wrap : wraps) names.emplace_back(wrap.name);
+  return names;
 }
 
 Filter filter_named(std::string_view name) {

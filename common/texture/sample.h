@@ -10,6 +10,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rasterlab {
 
@@ -51,6 +52,10 @@ struct FilterRung {
 
 /// Exercise 06.4's ladder, worst first.
 const std::array<FilterRung, 5>& filter_ladder();
+
+/// For the flags --filter, trilinear first as the one to take unless asked, and --wrap.
+std::vector<std::string> filter_names();
+std::vector<std::string> wrap_names();
 
 /// The filter or the way to wrap of that name. Throws InputError, which lists the names there are.
 Filter filter_named(std::string_view name);

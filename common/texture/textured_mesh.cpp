@@ -28,11 +28,15 @@ Footprint<float> footprint(const TextureCorners& corners, const TrianglePixel& p
 
 }  // namespace
 
+void require_texture_coordinates(const Mesh& mesh) {
+  if (mesh.texture_coordinates.empty()) {
+    throw InputError("the mesh has no texture coordinates, by which a texture is laid on it");
+  }
+}
+
 DrawCounts draw_textured_mesh(const LitMesh& lit_mesh, const Sampler& sampler, Frame& frame) {
   const Mesh& mesh = lit_mesh.mesh;
-  if (mesh.texture_coordinates.empty()) {
-    throw InputError("the mesh has no texture coordinates: expected some to lay the texture by");
-  }
+  require_texture_coordinates(mesh);
   const SurfaceLighting lighting(lit_mesh);
   auto samples = once_a_triangle<std::array<SurfaceSample, 3>>(
       [&](std::uint32_t triangle) { return lighting.corners(triangle); });

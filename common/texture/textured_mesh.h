@@ -7,6 +7,9 @@
 
 namespace rasterlab {
 
+/// Throws InputError when the mesh has no texture coordinates.
+void require_texture_coordinates(const Mesh& mesh);
+
 /// Draws the mesh, nearest triangles winning, each pixel lit by itself as shade_phong() of
 /// common/lighting does it, its surface's colour being what the sampler reads at the pixel's
 /// (u, v): interpolated perspective-correctly, with exact derivatives for the filter. The mesh's

@@ -1,0 +1,12 @@
+// How stage 06 draws a mesh it knows nothing of, for --mesh and --scene.
+#pragma once
+
+#include "common/viewer/viewer.h"
+
+namespace rasterlab {
+
+/// Lit at every pixel, with the texture where one was given, else in the mesh's colours. Throws
+/// InputError when there is a texture but the mesh says not where it lies.
+DrawFrame draw_any_mesh(const Subject& subject);
+
+}  // namespace rasterlab
