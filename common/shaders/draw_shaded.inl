@@ -8,8 +8,8 @@ namespace rasterlab {
 template <ShaderType Shader>
 DrawCounts draw_shaded(const Mesh& mesh, const Transforms& transforms, Cull cull,
                        const Shader& shader, Frame& frame) {
-  using Corners = std::array<typename Shader::template Varyings<float>, 3>;
-  auto corners = once_a_triangle<Corners>([&](std::uint32_t triangle) -> Corners {
+  using ShadedCorners = std::array<typename Shader::template Varyings<float>, 3>;
+  auto corners = once_a_triangle<ShadedCorners>([&](std::uint32_t triangle) -> ShadedCorners {
     return {shader.vertex(mesh, triangle, 0), shader.vertex(mesh, triangle, 1),
             shader.vertex(mesh, triangle, 2)};
   });
