@@ -52,17 +52,17 @@ Image<Rgb8> letter() {
 void draw_wrap_modes(Run& run) {
   const Texture texture(letter(), MipLevels::none);
   const Size size = run.size({240, 240});
-  for (const std::string& name : wrap_names()) {
+  for (const NamedWrap& mode : wrap_modes()) {
     Image<Rgb8> image(size.width, size.height);
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
         const float across = (static_cast<float>(x) + 0.5F) / static_cast<float>(size.width);
         const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(size.height);
         const Footprint<float> footprint = {{3 * across - 1, 2 - 3 * down}, {0, 0}, {0, 0}};
-        image(x, y) = to_rgb8(sample_nearest(texture, wrap_named(name), footprint));
+        image(x, y) = to_rgb8(sample_nearest(texture, mode.wrap, footprint));
       }
     }
-    run.picture("06.1_" + name, image);
+    run.picture("06.1_" + mode.name, image);
   }
 }
 

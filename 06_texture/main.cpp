@@ -1,5 +1,6 @@
 // Stage 06: pictures on surfaces, seen in perspective. The order is that of the lab sheet,
 // README.md.
+#include "common/lighting/turned_light.h"
 #include "common/stage/stage.h"
 #include "common/texture/perspective_ladder.h"
 #include "common/texture/sample.h"
@@ -17,6 +18,20 @@ rasterlab::Ladder ladder(const std::string& exercise, const Rungs& rungs) {
   return ladder;
 }
 
+rasterlab::Choices filter_choices() {
+  rasterlab::Choices choices;
+  for (const auto& rung : rasterlab::filter_ladder()) {
+    choices.push_back({rung.name, rung.known_fault});
+  }
+  return with_default(choices, "trilinear");
+}
+
+rasterlab::Choices wrap_choices() {
+  rasterlab::Choices choices;
+  for (const auto& mode : rasterlab::wrap_modes()) choices.push_back({mode.name, mode.description});
+  return choices;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -30,8 +45,8 @@ int main(int argc, char** argv) {
                      {"06.4", &draw_filter_ladder}},
        .ladders = {ladder("06.3", perspective_ladder()), ladder("06.4", filter_ladder())},
        .own_inputs = {viewer({.exercise = &draw_any_mesh,
-                              .lit = true,
+                              .turn_light = &turned_light,
                               .textured = true,
-                              .filters = filter_names(),
-                              .wraps = wrap_names()})}});
+                              .filters = filter_choices(),
+                              .wraps = wrap_choices()})}});
 }

@@ -1,6 +1,7 @@
 // The shaders as the engine runs them: compiled once per instruction set.
-#include "07_shaders/shader_list.h"
 #include "common/engine/shade_tile.h"
+
+#include "07_shaders/shader_list.h"
 
 #include <array>
 #include <tuple>

@@ -22,19 +22,26 @@ function(rasterlab_add_program name)
   target_link_options(${name} PRIVATE -rdynamic) # function names in backtrace_log.txt
 endfunction()
 
-# rasterlab_add_stage(<NN_topic>): the executable of a stage, with its exercises.json built in.
-# Does nothing where the folder is absent.
+# rasterlab_add_stage(<NN_topic>): the executable of a stage, with its exercises.json built in; what is called
+# *.simd.cpp is compiled once per instruction set. Does nothing where the folder is absent.
 function(rasterlab_add_stage stage)
   set(folder "${PROJECT_SOURCE_DIR}/${stage}")
   if(NOT EXISTS "${folder}/main.cpp")
     return()
   endif()
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
+  file(GLOB simd_sources CONFIGURE_DEPENDS "${folder}/*.simd.cpp")
+  if(simd_sources)
+    list(REMOVE_ITEM sources ${simd_sources})
+  endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/exercises.json")
   file(READ "${folder}/exercises.json" RASTERLAB_MANIFEST)
   set(manifest "${PROJECT_BINARY_DIR}/manifests/${stage}.cpp")
   configure_file("${PROJECT_SOURCE_DIR}/cmake/manifest.cpp.in" "${manifest}" @ONLY)
   rasterlab_add_program(${stage} ${sources} "${manifest}")
+  if(simd_sources)
+    rasterlab_add_simd_sources(${stage} ${simd_sources})
+  endif()
 endfunction()
 
 # rasterlab_add_tests(<name> LABELS <labels>... SOURCES <files>... [LIBRARIES <targets>...]

@@ -12,8 +12,8 @@
 namespace rasterlab {
 
 /// A surface cut to a lattice along its texture coordinates: of each of 32 × 16 cells the middle is
-/// a hole. Both sides are lit, each as if it faced the viewer: fronts in the surface's colour, backs
-/// in red.
+/// a hole. Both sides are lit, each as if it faced the viewer: fronts in the surface's colour,
+/// backs in red.
 struct Lattice {
   using Reads = Attributes<TextureCoordinates, WorldPosition, VertexNormals>;
   template <class Number>
@@ -21,14 +21,14 @@ struct Lattice {
 
   Reads attributes;
   VertexNormal normals;
-  Diffuse light;
+  Light light;
   Color front;
   Color back = Color(0.8F, 0.25F, 0.2F);
 
   explicit Lattice(const ShaderInputs& inputs)
       : attributes(inputs),
         normals(inputs),
-        light(inputs),
+        light(inputs.light),
         front(inputs.color.value_or(default_color())) {}
 
   Varyings<float> vertex(const Mesh& mesh, std::uint32_t triangle, int corner) const {
@@ -43,7 +43,10 @@ struct Lattice {
     };
     const Vector3<Number> color =
         select<Number, 3>(point.front_facing, broadcast<Number>(front), broadcast<Number>(back));
-    return {lit(color, light.light_at(point, normals)),
+    const Number toward_viewer = select(point.front_facing, Number(1), Number(-1));
+    const Number cosine = toward_viewer * dot(normals.normal_at(point),
+                                              direction_to(light.position, point.value.position));
+    return {lit(color, Shade<Number>{Number(light.intensity) * maximum(cosine, Number(0))}),
             in_hole(point.value.uv.x(), 32) && in_hole(point.value.uv.y(), 16)};
   }
 };

@@ -2,18 +2,8 @@
 
 #include "common/image/check.h"
 
-#include <algorithm>
-
 namespace rasterlab {
 namespace {
-
-struct NamedWrap {
-  Wrap wrap;
-  std::string_view name;
-};
-
-constexpr std::array<NamedWrap, 3> wraps = {
-    {{Wrap::repeat, "repeat"}, {Wrap::clamp, "clamp"}, {Wrap::mirror, "mirror"}}};
 
 /// The entry of that name in a table. Throws InputError.
 template <class Table>
@@ -21,7 +11,7 @@ const auto& named(const Table& table, std::string_view name, const std::string& 
   std::string names;
   for (const auto& entry : table) {
     if (entry.name == name) return entry;
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    names += (names.empty() ? "" : ", ") + entry.name;
   }
   throw InputError("no " + what + " is called '" + std::string(name) + "': expected one of " +
                    names);
@@ -39,19 +29,12 @@ const std::array<FilterRung, 5>& filter_ladder() {
   return ladder;
 }
 
-std::vector<std::string> filter_names() {
-  std::vector<std::string> names;
-  for (const FilterRung& rung : filter_ladder()) names.push_back(rung.name);
-  // The first is taken where none is asked for.
-  const auto usual = std::find(names.begin(), names.end(), "trilinear");
-  std::rotate(names.begin(), usual, usual + 1);
-  return names;
-}
-
-std::vector<std::string> wrap_names() {
-  std::vector<std::string> names;
-  for (const NamedWrap& wrap : wraps) names.emplace_back(wrap.name);
-  return names;
+const std::array<NamedWrap, 3>& wrap_modes() {
+  static const std::array<NamedWrap, 3> modes = {
+      {{Wrap::repeat, "repeat", "the texture over and over"},
+       {Wrap::clamp, "clamp", "the colour of its edge"},
+       {Wrap::mirror, "mirror", "over and over, every second one mirrored"}}};
+  return modes;
 }
 
 Filter filter_named(std::string_view name) {
@@ -59,7 +42,7 @@ Filter filter_named(std::string_view name) {
 }
 
 Wrap wrap_named(std::string_view name) {
-  return named(wraps, name, "wrap mode").wrap;
+  return named(wrap_modes(), name, "wrap mode").wrap;
 }
 
 }  // namespace rasterlab

@@ -10,7 +10,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rasterlab {
 
@@ -53,9 +52,13 @@ struct FilterRung {
 /// Exercise 06.4's ladder, worst first.
 const std::array<FilterRung, 5>& filter_ladder();
 
-/// For the flags --filter, trilinear first as the one to take unless asked, and --wrap.
-std::vector<std::string> filter_names();
-std::vector<std::string> wrap_names();
+struct NamedWrap {
+  Wrap wrap;
+  std::string name;
+  std::string description;
+};
+
+const std::array<NamedWrap, 3>& wrap_modes();
 
 /// The filter or the way to wrap of that name. Throws InputError, which lists the names there are.
 Filter filter_named(std::string_view name);

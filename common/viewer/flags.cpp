@@ -100,21 +100,30 @@ void add_file(CLI::App& app, const std::string& flag, const std::string& form,
       ->group(group);
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string joined(const Choices& choices) {
   std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  for (const Choice& choice : choices) all += (all.empty() ? "" : ", ") + choice.name;
   return all;
 }
 
-// Adds a flag whose value is one of `names`, or `list`.
+std::string default_of(const Choices& choices) {
+  return choices.empty() ? "" : " (default " + choices.front().name + "); 'list' names the ways";
+}
+
+bool has(const Choices& choices, const std::string& name) {
+  return std::any_of(choices.begin(), choices.end(),
+                     [&](const Choice& choice) { return choice.name == name; });
+}
+
+// Adds a flag whose value is one of `choices`, the first unless given, or `list`.
 void add_choice(CLI::App& app, const std::string& flag, const std::string& description,
-                const std::vector<std::string>& names, std::string& value) {
-  if (names.empty()) return;
+                const Choices& choices, std::string& value) {
+  if (choices.empty()) return;
   app.add_option_function<std::string>(
          flag,
          [=, &value](const std::string& text) {
-           if (text != "list" && std::find(names.begin(), names.end(), text) == names.end()) {
-             refuse(flag, text, "list or one of " + joined(names));
+           if (text != "list" && !has(choices, text)) {
+             refuse(flag, text, "list or one of " + joined(choices));
            }
            value = text;
          },
@@ -180,11 +189,11 @@ void add_surface_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags&
     add_file(app, "--specular-map", "FILE", "Picture that says how strong highlights are",
              flags.specular_map);
   }
-  add_choice(app, "--shader", "How surfaces are shaded; 'list' names them", options.shaders,
-             flags.shader);
-  add_choice(app, "--filter", "How textures are read; 'list' names the ways", options.filters,
-             flags.filter);
-  add_choice(app, "--wrap", "What a texture is beyond its edges; 'list' names the ways",
+  add_choice(app, "--shader", "How surfaces are shaded" + default_of(options.shaders),
+             options.shaders, flags.shader);
+  add_choice(app, "--filter", "How textures are read" + default_of(options.filters),
+             options.filters, flags.filter);
+  add_choice(app, "--wrap", "What a texture is beyond its edges" + default_of(options.wraps),
              options.wraps, flags.wrap);
 }
 

@@ -28,8 +28,8 @@ Image<Rgb8> load(const std::filesystem::path& path) {
   return path.empty() ? Image<Rgb8>() : read_image<Rgb8>(path);
 }
 
-const std::string& or_first(const std::string& chosen, const std::vector<std::string>& names) {
-  return chosen.empty() && !names.empty() ? names.front() : chosen;
+const std::string& or_first(const std::string& chosen, const Choices& choices) {
+  return chosen.empty() && !choices.empty() ? choices.front().name : chosen;
 }
 
 Subject load_subject(const ViewerFlags& flags, const ViewerOptions& options,
@@ -261,8 +261,16 @@ class Viewing {
 
 // --- What is printed instead of drawn ---
 
-void print_names(const std::vector<std::string>& names) {
-  for (const std::string& name : names) std::cout << name << "\n";
+void print(const Choices& choices) {
+  std::size_t width = 0;
+  for (const Choice& choice : choices) width = std::max(width, choice.name.size());
+  for (const Choice& choice : choices) {
+    std::cout << choice.name;
+    if (!choice.description.empty()) {
+      std::cout << std::string(width + 2 - choice.name.size(), ' ') << choice.description;
+    }
+    std::cout << "\n";
+  }
 }
 
 // Whether a flag asked for a list, which then was printed.
@@ -272,13 +280,13 @@ bool printed_list(const ViewerFlags& flags, const ViewerOptions& options) {
       std::cout << "builtin:" << shape.name << "  " << shape.description << "\n";
     }
   } else if (flags.shader == "list") {
-    print_names(options.shaders);
+    print(options.shaders);
   } else if (flags.filter == "list") {
-    print_names(options.filters);
+    print(options.filters);
   } else if (flags.wrap == "list") {
-    print_names(options.wraps);
+    print(options.wraps);
   } else if (flags.simd == "list") {
-    print_names(options.simd_targets);
+    print(options.simd_targets);
   } else {
     return false;
   }
@@ -307,6 +315,13 @@ void check(const ViewerFlags& flags, const RunSettings& settings) {
 }
 
 }  // namespace
+
+Choices with_default(Choices choices, const std::string& name) {
+  const auto usual = std::find_if(choices.begin(), choices.end(),
+                                  [&](const Choice& choice) { return choice.name == name; });
+  if (usual != choices.end()) std::rotate(choices.begin(), usual, usual + 1);
+  return choices;
+}
 
 OwnInput viewer(const ViewerOptions& options) {
   const auto flags = std::make_shared<ViewerFlags>();

@@ -54,21 +54,31 @@ using DrawFrame = std::function<nlohmann::json(const View& view, Frame& frame)>;
 /// Prepares what is the same for every frame, and gives what draws one. The subject outlives it.
 using PrepareDrawing = std::function<DrawFrame(const Subject& subject)>;
 
+/// A value that a flag takes, as `list` shows it.
+struct Choice {
+  std::string name;
+  std::string description = {};
+};
+using Choices = std::vector<Choice>;
+
+/// The same with the choice of that name first, where a flag's default stands.
+Choices with_default(Choices choices, const std::string& name);
+
 /// What a stage brings. Flags for what it does not offer do not exist.
 struct ViewerOptions {
   PrepareDrawing exercise;
   PrepareDrawing tiled = {};  ///< empty: no --engine, --threads, --simd
   bool tiled_by_default = false;
-  std::vector<std::string> simd_targets = {};  ///< for `--simd list`, the best last
+  Choices simd_targets = {};  ///< for `--simd list`, the best last
   /// The light carried round an axis through a centre by an angle in degrees; given: --light,
   /// --material, and --frames turns the light.
   Light (*turn_light)(const Light& light, const Eigen::Vector3f& center,
                       const Eigen::Vector3f& axis, float angle) = nullptr;
-  bool textured = false;                  ///< --texture
-  bool mapped = false;                    ///< --normal-map, --specular-map
-  std::vector<std::string> shaders = {};  ///< --shader; the first is the default
-  std::vector<std::string> filters = {};  ///< --filter; the first is the default
-  std::vector<std::string> wraps = {};    ///< --wrap; the first is the default
+  bool textured = false;  ///< --texture
+  bool mapped = false;    ///< --normal-map, --specular-map
+  Choices shaders = {};   ///< --shader; the first is the default
+  Choices filters = {};   ///< --filter; the first is the default
+  Choices wraps = {};     ///< --wrap; the first is the default
 };
 
 /// The viewer as one of a stage's own inputs: it runs when --mesh or --scene is given.
