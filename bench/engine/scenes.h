@@ -1,0 +1,40 @@
+// What is drawn: the same meshes, matrices and textures for both sides.
+#pragma once
+
+#include "common/image/image.h"
+#include "common/image/pixel.h"
+#include "common/mesh/mesh.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace rasterlab::bench {
+
+enum class ShadingKind { depth, flat, phong, textured, normal_mapped };
+
+std::string name_of(ShadingKind kind);
+
+struct Scene {
+  std::string name;
+  Mesh mesh;
+  std::vector<Eigen::Vector3f> tangents;  ///< one per vertex where there are texture coordinates
+  Eigen::Matrix4f matrix;
+  Eigen::Vector3f eye;
+  std::vector<ShadingKind> shadings;
+};
+
+/// A scene, made when its turn comes: some are large.
+struct SceneEntry {
+  std::string name;
+  std::function<Scene(float aspect)> make;
+};
+
+const std::vector<SceneEntry>& scenes();
+
+Image<Rgb8> make_texture(int size);
+Image<Rgb8> make_normal_map(int size);
+
+}  // namespace rasterlab::bench
