@@ -46,7 +46,9 @@ function(rasterlab_add_simd_sources target)
     if(NOT simd STREQUAL scalar)
       target_compile_definitions(${objects} PRIVATE HWY_COMPILE_ONLY_STATIC)
     endif()
-    target_compile_options(${objects} PRIVATE ${RASTERLAB_SIMD_FLAGS_${simd}} -ffp-contract=off)
+    target_compile_options(${objects} PRIVATE ${RASTERLAB_SIMD_FLAGS_${simd}} -ffp-contract=off
+                           # Symbols that are unique in a process can't be made local.
+                           $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
     set(merged "${CMAKE_CURRENT_BINARY_DIR}/${objects}.o")
     add_custom_command(
       OUTPUT "${merged}"

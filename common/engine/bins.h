@@ -88,10 +88,31 @@ struct LargeTriangles {
   std::array<const LargeTriangle*, capacity> triangle;
 };
 
-/// What one worker found to draw in one tile.
+/// What one worker found to draw in one tile, in that order: nearer clusters first, so that what
+/// follows meets a filled tile.
+template <class Chunk>
+struct ChunkList {
+  Chunk* first = nullptr;
+  Chunk* last = nullptr;
+
+  /// The last chunk, or a new one when that is full.
+  Chunk& with_room(Arena& arena) {
+    if (last == nullptr || last->count == Chunk::capacity) {
+      auto* chunk = arena.make<Chunk>();
+      chunk->next = nullptr;
+      chunk->count = 0;
+      (last == nullptr ? first : last->next) = chunk;
+      last = chunk;
+    }
+    return *last;
+  }
+};
+
 struct TileBin {
-  SmallTriangles* small = nullptr;
-  LargeTriangles* large = nullptr;
+  ChunkList<SmallTriangles> small;
+  ChunkList<LargeTriangles> large;
+
+  bool empty() const { return small.first == nullptr && large.first == nullptr; }
 };
 
 /// Room for shading a tile, kept from one to the next.
@@ -117,25 +138,12 @@ struct Worker {
   }
 
   SmallTriangles& small_with_room(int tile) {
-    TileBin& bin = bins[static_cast<std::size_t>(tile)];
-    if (bin.small == nullptr || bin.small->count == SmallTriangles::capacity) {
-      auto* chunk = arena.make<SmallTriangles>();
-      chunk->next = bin.small;
-      chunk->count = 0;
-      bin.small = chunk;
-    }
-    return *bin.small;
+    return bins[static_cast<std::size_t>(tile)].small.with_room(arena);
   }
 
   void add_large(int tile, const LargeTriangle* triangle) {
-    TileBin& bin = bins[static_cast<std::size_t>(tile)];
-    if (bin.large == nullptr || bin.large->count == LargeTriangles::capacity) {
-      auto* chunk = arena.make<LargeTriangles>();
-      chunk->next = bin.large;
-      chunk->count = 0;
-      bin.large = chunk;
-    }
-    bin.large->triangle[static_cast<std::size_t>(bin.large->count++)] = triangle;
+    LargeTriangles& chunk = bins[static_cast<std::size_t>(tile)].large.with_room(arena);
+    chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }
 };
 

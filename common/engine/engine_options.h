@@ -5,13 +5,11 @@
 
 namespace rasterlab {
 
-/// What the engine spares itself. Each can be switched off, to see what it is worth.
+/// What the engine spares itself that can be switched off, to see what it is worth.
 struct Skips {
   bool outside = true;        ///< clusters outside the view
-  bool facing_away = true;    ///< clusters all of whose triangles are culled by the side they show
-  bool hidden = true;         ///< clusters, triangles and blocks behind what is already drawn
-  bool missed = true;         ///< triangles that miss every sample
-  bool front_to_back = true;  ///< not a skip itself: draws near clusters first, so more is hidden
+  bool hidden = true;         ///< clusters and blocks behind what is already drawn
+  bool front_to_back = true;  ///< draws near clusters first, so that more is hidden
 };
 
 struct EngineOptions {

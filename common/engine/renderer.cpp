@@ -149,7 +149,7 @@ class Drawing {
 
  private:
   static constexpr std::uint32_t clusters_per_task = 256;
-  static constexpr std::size_t clusters_per_batch = 4096;
+  static constexpr std::size_t clusters_per_batch = 256;
 
   void find_visible() {
     const auto count = static_cast<std::uint32_t>(job_.mesh->clusters().list.size());
@@ -179,7 +179,7 @@ class Drawing {
   void draw_batch(std::span<const VisibleCluster> clusters, bool last) {
     const int tiles = job_.frame.tile_count();
     for (Worker& worker : threads_.workers) worker.begin_batch(tiles);
-    constexpr std::size_t per_task = 16;
+    constexpr std::size_t per_task = 16;  // a vector of clusters
     const auto tasks = static_cast<int>((clusters.size() + per_task - 1) / per_task);
     threads_.for_each(tasks, [&](int task, Worker& worker) {
       const std::size_t begin = static_cast<std::size_t>(task) * per_task;
@@ -191,8 +191,7 @@ class Drawing {
 
   bool anything_binned(int tile) const {
     return std::any_of(threads_.workers.begin(), threads_.workers.end(), [&](const Worker& w) {
-      const TileBin& bin = w.bins[static_cast<std::size_t>(tile)];
-      return bin.small != nullptr || bin.large != nullptr;
+      return !w.bins[static_cast<std::size_t>(tile)].empty();
     });
   }
 
@@ -208,7 +207,10 @@ class Drawing {
     const bool drawn = job_.frame.drawn()[tile] != 0;
     ++(drawn ? worker.statistics.tiles_drawn : worker.statistics.tiles_untouched);
     if (job_.shading == nullptr) return;
-    if (job_.frame.color_state(tile) == FrameAccess::stale) job_.frame.fill_background(tile);
+    const bool all_drawn = drawn && job_.frame.tile_far(tile) > 0;
+    if (job_.frame.color_state(tile) == FrameAccess::stale && !all_drawn) {
+      job_.frame.fill_background(tile);
+    }
     if (!drawn) return;
     job_.shading->shade_tile(job_, job_.frame.tile(tile), worker);
     job_.frame.color_state(tile) = FrameAccess::picture;

@@ -26,40 +26,45 @@ namespace field {
 enum : int { edge1, edge2, step1_x, step1_y, step2_x, step2_y, area, ratio1, ratio2, front, size };
 }
 
-/// The triangle, in the mesh, whose geometry is asked for; corner 0 is the one with the lowest
-/// vertex index.
-struct CornerOrder {
-  std::array<std::uint32_t, 3> vertex;
-  int first;  ///< which of the mesh's corners is corner 0
+/// As many triangles as there are lanes: their window corners and w.
+struct TriangleLanes {
+  std::array<Ints, 3> x;
+  std::array<Ints, 3> y;
+  std::array<Number, 3> w;
 };
 
-inline CornerOrder corner_order(const Mesh& mesh, std::uint32_t triangle) {
-  const Mesh::Triangle& t = mesh.triangles[triangle];
-  const int first = t[1] < t[0] && t[1] <= t[2] ? 1 : t[2] < t[0] && t[2] < t[1] ? 2 : 0;
-  const auto at = [&](int i) { return t[static_cast<std::size_t>((first + i) % 3)]; };
-  return {{at(0), at(1), at(2)}, first};
-}
+using Geometry = std::array<Doubles, field::size>;
 
-/// Writes the geometry of a triangle with the given corners, relative to a tile's first pixel.
-inline void write_geometry(const std::array<SnappedCorner, 3>& c, const std::array<float, 3>& w,
-                           int left, int top, bool mirrored, double* geometry) {
-  const auto dx = [&](int a, int b) { return static_cast<double>(c[b].x - c[a].x); };
-  const auto dy = [&](int a, int b) { return static_cast<double>(c[b].y - c[a].y); };
-  const double px = left * 256.0 + 128;
-  const double py = top * 256.0 + 128;
-  const double signed_area = dx(0, 1) * dy(0, 2) - dy(0, 1) * dx(0, 2);
-  const double side = signed_area < 0 ? -1 : 1;
+/// The geometry relative to a tile's first pixel.
+inline Geometry geometry_of(const TriangleLanes& t, int left, int top, bool mirrored) {
+  std::array<Doubles, 3> x;
+  std::array<Doubles, 3> y;
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = to_doubles(t.x[i]);
+    y[i] = to_doubles(t.y[i]);
+  }
+  const Doubles px(left * 256.0 + 128);
+  const Doubles py(top * 256.0 + 128);
+  const Doubles signed_area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+  // Exact as float: only the sign is asked for.
+  const Truth clockwise = to_number(signed_area) > Number(0);
+  const Doubles side = to_doubles(select(clockwise, Number(1), Number(-1)));
+  Geometry g;
   // Edge 1 runs from corner 2 to 0, edge 2 from 0 to 1.
-  geometry[field::edge1] = side * (dx(2, 0) * (py - c[2].y) - dy(2, 0) * (px - c[2].x));
-  geometry[field::edge2] = side * (dx(0, 1) * (py - c[0].y) - dy(0, 1) * (px - c[0].x));
-  geometry[field::step1_x] = side * -256 * dy(2, 0);
-  geometry[field::step1_y] = side * 256 * dx(2, 0);
-  geometry[field::step2_x] = side * -256 * dy(0, 1);
-  geometry[field::step2_y] = side * 256 * dx(0, 1);
-  geometry[field::area] = side * signed_area;
-  geometry[field::ratio1] = static_cast<double>(w[0]) / w[1];
-  geometry[field::ratio2] = static_cast<double>(w[0]) / w[2];
-  geometry[field::front] = (signed_area < 0) != mirrored ? 1 : 0;
+  g[field::edge1] = side * ((x[0] - x[2]) * (py - y[2]) - (y[0] - y[2]) * (px - x[2]));
+  g[field::edge2] = side * ((x[1] - x[0]) * (py - y[0]) - (y[1] - y[0]) * (px - x[0]));
+  const Doubles step = side * Doubles(256);
+  g[field::step1_x] = step * (y[2] - y[0]);
+  g[field::step1_y] = step * (x[0] - x[2]);
+  g[field::step2_x] = step * (y[0] - y[1]);
+  g[field::step2_y] = step * (x[1] - x[0]);
+  g[field::area] = side * signed_area;
+  const Doubles w0 = to_doubles(t.w[0]);
+  g[field::ratio1] = w0 / to_doubles(t.w[1]);
+  g[field::ratio2] = w0 / to_doubles(t.w[2]);
+  g[field::front] = to_doubles(mirrored ? select(clockwise, Number(1), Number(0))
+                                        : select(clockwise, Number(0), Number(1)));
+  return g;
 }
 
 /// Shades the tiles of one draw call.
@@ -78,6 +83,7 @@ class TileShading {
         shader_(*static_cast<const Shader*>(job.shader)),
         mesh_(job.mesh->mesh()),
         tile_(tile),
+        blocks_shift_(std::countr_zero(static_cast<unsigned>(tile.blocks_per_row()))),
         scratch_(worker.scratch),
         statistics_(worker.statistics) {}
 
@@ -170,32 +176,83 @@ class TileShading {
   // Setting them up
 
   void set_up_triangles() {
+    const std::size_t count = scratch_.key.size();
     scratch_.clipped.clear();
-    scratch_.geometry.resize(scratch_.key.size() * field::size);
-    scratch_.varyings.resize(scratch_.key.size() * varying_stride);
-    for (std::size_t i = 0; i < scratch_.key.size(); ++i) set_up(i);
-    statistics_.triangles_shaded += scratch_.key.size();
+    reserve_slots(count);
+    for (std::size_t first = 0; first < count; first += lanes) {
+      set_up(first, std::min<std::size_t>(lanes, count - first));
+    }
+    statistics_.triangles_shaded += count;
   }
 
-  void set_up(std::size_t place) {
-    const std::uint32_t triangle = triangle_of(scratch_.key[place]);
-    const CornerOrder order = corner_order(mesh_, triangle);
-    std::array<SnappedCorner, 3> corners;
-    std::array<float, 3> w;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Eigen::Vector3f& p = mesh_.positions[order.vertex[i]];
-      const ClipPoints clip = to_clip(job_.transform, p.x(), p.y(), p.z());
-      const WindowPoints window = to_window(job_.transform, clip);
-      if (!all(window.direct)) {
-        scratch_.clipped.push_back(static_cast<std::uint32_t>(place));
-        return;
-      }
-      corners[i] = {hn::GetLane(window.x.v), hn::GetLane(window.y.v)};
-      w[i] = hn::GetLane(clip.w.v);
+  /// Geometry and varyings stand side by side for as many triangles as there are lanes.
+  void reserve_slots(std::size_t count) {
+    const std::size_t packets = (count + lanes - 1) / lanes;
+    if (scratch_.geometry.size() < packets * field::size * lanes) {
+      scratch_.geometry.resize(packets * field::size * lanes);
     }
-    write_geometry(corners, w, tile_.left, tile_.top, job_.mirrored,
-                   scratch_.geometry.data() + place * field::size);
-    write_varyings(corner_varyings(triangle, order.first), place);
+    if (scratch_.varyings.size() < packets * varying_stride * lanes) {
+      scratch_.varyings.resize(packets * varying_stride * lanes);
+    }
+  }
+
+  /// The mesh's triangles in these lanes; corner 0 is the one with the lowest vertex index.
+  struct CornerLanes {
+    std::array<Ints, 3> vertex;
+    Ints first;  ///< which of the mesh's corners is corner 0
+  };
+
+  CornerLanes corner_order(Ints triangle) const {
+    const auto* flat = reinterpret_cast<const std::int32_t*>(mesh_.triangles.data());
+    const Ints at = triangle * Ints(3);
+    const Ints a = gather_ints(flat, at);
+    const Ints b = gather_ints(flat + 1, at);
+    const Ints c = gather_ints(flat + 2, at);
+    const Truth from_b = b < a && b <= c;
+    const Truth from_c = !from_b && c < a && c < b;
+    return {{select(from_b, b, select(from_c, c, a)), select(from_b, c, select(from_c, a, b)),
+             select(from_b, a, select(from_c, b, c))},
+            select(from_b, Ints(1), select(from_c, Ints(2), Ints(0)))};
+  }
+
+  std::array<Number, 3> position(Ints vertex) const {
+    const auto* flat = reinterpret_cast<const float*>(mesh_.positions.data());
+    const Ints at = vertex * Ints(3);
+    return {gather_numbers(flat, at), gather_numbers(flat + 1, at), gather_numbers(flat + 2, at)};
+  }
+
+  void set_up(std::size_t first_slot, std::size_t count) {
+    std::array<std::uint32_t, lanes> key;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      key[lane] = scratch_.key[first_slot + std::min(lane, count - 1)];
+    }
+    const CornerLanes corners =
+        corner_order(load(key.data()) - Ints(static_cast<std::int32_t>(job_.first_key)));
+    TriangleLanes triangles;
+    Truth direct = !false_everywhere();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::array<Number, 3> p = position(corners.vertex[i]);
+      const ClipPoints clip = to_clip(job_.transform, p[0], p[1], p[2]);
+      const WindowPoints window = to_window(job_.transform, clip);
+      direct = direct && window.direct;
+      triangles.x[i] = window.x;
+      triangles.y[i] = window.y;
+      triangles.w[i] = clip.w;
+    }
+    const Geometry geometry = geometry_of(triangles, tile_.left, tile_.top, job_.mirrored);
+    double* to = scratch_.geometry.data() + first_slot * field::size;
+    for (std::size_t i = 0; i < field::size; ++i) store(geometry[i], to + i * lanes);
+    std::array<std::int32_t, lanes> first;
+    store(corners.first, first.data());
+    const std::uint32_t usable = bits(direct);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const std::size_t slot = first_slot + lane;
+      if ((usable >> lane & 1U) == 0) {
+        scratch_.clipped.push_back(static_cast<std::uint32_t>(slot));
+      } else {
+        write_varyings(corner_varyings(triangle_of(key[lane]), first[lane]), slot);
+      }
+    }
   }
 
   using Corners = std::array<std::array<float, static_cast<std::size_t>(varying_count) + 1>, 3>;
@@ -211,12 +268,12 @@ class TileShading {
   }
 
   /// Per number: its value at corner 0, and how much it differs at corners 1 and 2.
-  void write_varyings(const Corners& corners, std::size_t place) {
-    float* to = scratch_.varyings.data() + place * varying_stride;
+  void write_varyings(const Corners& corners, std::size_t slot) {
+    float* to = scratch_.varyings.data() + slot / lanes * lanes * varying_stride + slot % lanes;
     for (std::size_t i = 0; i < static_cast<std::size_t>(varying_count); ++i) {
-      to[3 * i] = corners[0][i];
-      to[3 * i + 1] = corners[1][i] - corners[0][i];
-      to[3 * i + 2] = corners[2][i] - corners[0][i];
+      to[3 * i * lanes] = corners[0][i];
+      to[(3 * i + 1) * lanes] = corners[1][i] - corners[0][i];
+      to[(3 * i + 2) * lanes] = corners[2][i] - corners[0][i];
     }
   }
 
@@ -224,50 +281,59 @@ class TileShading {
   // Triangles that were clipped: their pixels belong to one of the parts
 
   void resolve_clipped_pixels() {
-    for (const std::uint32_t place : scratch_.clipped) {
-      const std::uint32_t triangle = triangle_of(scratch_.key[place]);
-      const CornerOrder order = corner_order(mesh_, triangle);
+    std::size_t next_slot = (scratch_.key.size() + lanes - 1) / lanes * lanes;
+    for (const std::uint32_t whole : scratch_.clipped) {
+      const std::uint32_t triangle = triangle_of(scratch_.key[whole]);
+      const CornerLanes order = corner_order(Ints(static_cast<std::int32_t>(triangle)));
       TrianglePositions positions;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Eigen::Vector3f& p = mesh_.positions[order.vertex[i]];
+        const Eigen::Vector3f& p =
+            mesh_.positions[static_cast<std::size_t>(hn::GetLane(order.vertex[i].v))];
         positions[i] = {p.x(), p.y(), p.z()};
       }
       const ClippedPolygon polygon = clip_triangle(job_.transform, positions);
-      const Corners corners = corner_varyings(triangle, order.first);
+      const Corners corners = corner_varyings(triangle, hn::GetLane(order.first.v));
       for_each_part(job_.transform, polygon, [&](const ClippedPart& part) {
-        add_part(part, corners, static_cast<std::int32_t>(place));
+        if (twice_area(part.snapped[0], part.snapped[1], part.snapped[2]) == 0) return;
+        add_part(part, corners, static_cast<std::int32_t>(whole), next_slot);
+        ++next_slot;
       });
     }
   }
 
-  void add_part(const ClippedPart& part, const Corners& corners, std::int32_t whole) {
-    if (twice_area(part.snapped[0], part.snapped[1], part.snapped[2]) == 0) return;
-    const std::size_t place = scratch_.geometry.size() / field::size;
-    scratch_.geometry.resize((place + 1) * field::size);
-    scratch_.varyings.resize((place + 1) * varying_stride);
-    std::array<float, 3> w;
+  void add_part(const ClippedPart& part, const Corners& corners, std::int32_t whole,
+                std::size_t slot) {
+    reserve_slots(slot + 1);
+    TriangleLanes lanes_of_part;
     Corners values;
     for (std::size_t c = 0; c < 3; ++c) {
       const ClippedCorner& corner = *part.corner[c];
-      w[c] = corner.w;
+      lanes_of_part.x[c] = Ints(part.snapped[c].x);
+      lanes_of_part.y[c] = Ints(part.snapped[c].y);
+      lanes_of_part.w[c] = Number(corner.w);
       for (std::size_t i = 0; i < static_cast<std::size_t>(varying_count); ++i) {
         const double a0 = corners[0][i];
         values[c][i] = static_cast<float>(
             a0 + (corner.b1 * (corners[1][i] - a0) + corner.b2 * (corners[2][i] - a0)));
       }
     }
-    double* geometry = scratch_.geometry.data() + place * field::size;
-    write_geometry(part.snapped, w, tile_.left, tile_.top, job_.mirrored, geometry);
-    write_varyings(values, place);
+    const Geometry vectors = geometry_of(lanes_of_part, tile_.left, tile_.top, job_.mirrored);
+    std::array<double, field::size> geometry;
+    double* to = scratch_.geometry.data() + slot / lanes * lanes * field::size + slot % lanes;
+    for (std::size_t i = 0; i < field::size; ++i) {
+      geometry[i] = hn::GetLane(vectors[i].low);
+      to[i * lanes] = geometry[i];
+    }
+    write_varyings(values, slot);
     for (std::size_t pixel = 0; pixel < scratch_.slot.size(); ++pixel) {
       if (scratch_.slot[pixel] == whole && covers(geometry, static_cast<int>(pixel))) {
-        scratch_.slot[pixel] = static_cast<std::int32_t>(place);
+        scratch_.slot[pixel] = static_cast<std::int32_t>(slot);
       }
     }
   }
 
   /// Boundaries included: the depth pass has decided already that the pixel is this triangle's.
-  bool covers(const double* geometry, int pixel) const {
+  bool covers(const std::array<double, field::size>& geometry, int pixel) const {
     const auto [x, y] = place_of(pixel);
     const double e1 =
         geometry[field::edge1] + x * geometry[field::step1_x] + y * geometry[field::step1_y];
@@ -280,41 +346,42 @@ class TileShading {
     int x, y;
   };
   Place place_of(int pixel) const {
-    const int block = pixel / 64;
-    const int per_row = tile_.blocks_per_row();
-    return {block % per_row * 8 + pixel % 8, block / per_row * 8 + pixel % 64 / 8};
+    const int block = pixel >> 6;
+    return {(block & (tile_.blocks_per_row() - 1)) * 8 + (pixel & 7),
+            (block >> blocks_shift_) * 8 + (pixel >> 3 & 7)};
   }
 
   // -------------------------------------------------------------------------------------------
   // Shading
 
+  /// Where to find a slot's entries, `stride` to a triangle.
+  static Ints entry_of(Ints slot, int stride) {
+    constexpr int shift = std::countr_zero(static_cast<unsigned>(lanes));
+    return shift_right<shift>(slot) * Ints(stride * lanes) + (slot & Ints(lanes - 1));
+  }
+
   /// The same field of each lane's triangle; of a single one when all lanes show the same.
   template <bool uniform>
-  Doubles geometry(Ints slot, int name) const {
-    if constexpr (uniform) {
-      const auto place = static_cast<std::size_t>(hn::GetLane(slot.v));
-      return Doubles(scratch_.geometry[place * field::size + static_cast<std::size_t>(name)]);
-    } else {
-      return gather_doubles(scratch_.geometry.data() + name, slot * Ints(field::size));
-    }
+  Doubles geometry(Ints entry, int name) const {
+    const double* from = scratch_.geometry.data() + name * lanes;
+    if constexpr (uniform) return Doubles(from[hn::GetLane(entry.v)]);
+    return gather_doubles(from, entry);
   }
   template <bool uniform>
-  Number varying(Ints slot, int name) const {
-    if constexpr (uniform) {
-      const auto place = static_cast<std::size_t>(hn::GetLane(slot.v));
-      return Number(scratch_.varyings[place * varying_stride + static_cast<std::size_t>(name)]);
-    } else {
-      return gather_numbers(scratch_.varyings.data() + name, slot * Ints(varying_stride));
-    }
+  Number varying(Ints entry, int name) const {
+    const float* from = scratch_.varyings.data() + name * lanes;
+    if constexpr (uniform) return Number(from[hn::GetLane(entry.v)]);
+    return gather_numbers(from, entry);
   }
 
   template <bool uniform>
   Point<Number> surface_point(int pixel, Ints slot) const {
-    const int block = pixel / 64;
-    const Ints in_block = iota(pixel % 64);
-    const Doubles x = to_doubles((in_block & Ints(7)) + Ints(place_of(block * 64).x));
-    const Doubles y = to_doubles(shift_right<3>(in_block) + Ints(place_of(block * 64).y));
-    const auto get = [&](int name) { return geometry<uniform>(slot, name); };
+    const Place block = place_of(pixel & ~63);
+    const Ints in_block = iota(pixel & 63);
+    const Doubles x = to_doubles((in_block & Ints(7)) + Ints(block.x));
+    const Doubles y = to_doubles(shift_right<3>(in_block) + Ints(block.y));
+    const Ints entry = entry_of(slot, field::size);
+    const auto get = [&](int name) { return geometry<uniform>(entry, name); };
     const Doubles step1_x = get(field::step1_x);
     const Doubles step1_y = get(field::step1_y);
     const Doubles step2_x = get(field::step2_x);
@@ -338,20 +405,20 @@ class TileShading {
                                    to_number((dq2 - b2 * sum) * inverse)};
     };
     Point<Number> point;
-    interpolate<uniform>(slot, {to_number(b1), to_number(b2)}, derivative(step1_x, step2_x),
-                         derivative(step1_y, step2_y), point);
+    interpolate<uniform>(entry_of(slot, varying_stride), {to_number(b1), to_number(b2)},
+                         derivative(step1_x, step2_x), derivative(step1_y, step2_y), point);
     point.front_facing = to_number(get(field::front)) > Number(0);
     return point;
   }
 
   template <bool uniform>
-  void interpolate(Ints slot, CornerWeights<Number> value, CornerWeights<Number> dx,
+  void interpolate(Ints entry, CornerWeights<Number> value, CornerWeights<Number> dx,
                    CornerWeights<Number> dy, Point<Number>& point) const {
     if constexpr (varying_count > 0) {
       for (int i = 0; i < varying_count; ++i) {
-        const Number at_0 = varying<uniform>(slot, 3 * i);
-        const Number to_1 = varying<uniform>(slot, 3 * i + 1);
-        const Number to_2 = varying<uniform>(slot, 3 * i + 2);
+        const Number at_0 = varying<uniform>(entry, 3 * i);
+        const Number to_1 = varying<uniform>(entry, 3 * i + 1);
+        const Number to_2 = varying<uniform>(entry, 3 * i + 2);
         numbers<Shader::template Varyings, Number>(point.value)[i] =
             at_0 + (value.b1 * to_1 + value.b2 * to_2);
         numbers<Shader::template Varyings, Number>(point.dx)[i] = dx.b1 * to_1 + dx.b2 * to_2;
@@ -360,10 +427,53 @@ class TileShading {
     }
   }
 
+  /// Lanes of a few different triangles: each triangle is taken for all lanes, which is cheaper
+  /// than fetching every field lane by lane.
+  Point<Number> mixed_surface_point(int pixel, Ints slot) const {
+    std::array<std::int32_t, lanes> slot_of_lane;
+    store(slot, slot_of_lane.data());
+    std::array<Ints, most_mixed> others;
+    int count = 0;
+    const Ints first(slot_of_lane[0]);
+    for (std::uint32_t rest = bits(!(slot == first)); rest != 0; ++count) {
+      if (count == most_mixed) return surface_point<false>(pixel, slot);
+      const Ints other(slot_of_lane[static_cast<std::size_t>(std::countr_zero(rest))]);
+      others[static_cast<std::size_t>(count)] = other;
+      rest &= ~bits(slot == other);
+    }
+    Point<Number> point = surface_point<true>(pixel, first);
+    for (int i = 0; i < count; ++i) {
+      const Ints other = others[static_cast<std::size_t>(i)];
+      replace(slot == other, surface_point<true>(pixel, other), point);
+    }
+    return point;
+  }
+
+  static constexpr int most_mixed = 3;
+
+  static void replace(Truth here, const Point<Number>& by, Point<Number>& point) {
+    const auto replace_numbers = [here](const Varyings<Number>& from, Varyings<Number>& to) {
+      if constexpr (varying_count > 0) {
+        for (int i = 0; i < varying_count; ++i) {
+          Number& number = numbers<Shader::template Varyings, Number>(to)[i];
+          number = select(here, numbers<Shader::template Varyings, Number>(from)[i], number);
+        }
+      }
+    };
+    replace_numbers(by.value, point.value);
+    replace_numbers(by.dx, point.dx);
+    replace_numbers(by.dy, point.dy);
+    point.front_facing = select(here, by.front_facing, point.front_facing);
+  }
+
   /// Colours, and what is discarded, of as many pixels as there are lanes.
   template <bool uniform>
   Fragment<Number> fragments(int pixel, Ints slot, Truth wanted) const {
-    const Point<Number> point = surface_point<uniform>(pixel, slot);
+    return shade(uniform ? surface_point<true>(pixel, slot) : mixed_surface_point(pixel, slot),
+                 wanted);
+  }
+
+  Fragment<Number> shade(const Point<Number>& point, Truth wanted) const {
     if constexpr (!ShadesNumbers<Shader, Number>) {
       return lane_by_lane(point, wanted);
     } else if constexpr (may_discard<Shader>) {
@@ -413,7 +523,7 @@ class TileShading {
     }
   }
 
-  void shade_pixels() {
+  [[gnu::flatten]] void shade_pixels() {
     const int pixels = tile_.size * tile_.size;
     for (int pixel = 0; pixel < pixels; pixel += lanes) {
       const Ints slot = load(scratch_.slot.data() + pixel);
@@ -442,21 +552,40 @@ class TileShading {
     alignas(64) std::array<std::uint32_t, lanes> packed;
     store(bytes(color.x()) | shift_left<8>(bytes(color.y())) | shift_left<16>(bytes(color.z())),
           packed.data());
+    const Place block = place_of(pixel & ~63);
+    const bool whole = block.x + 8 <= tile_.width && block.y + 8 <= tile_.height;
+    if (lanes == 16 && whole && mask == 0xFFFFU) {
+      Rgb8* row = tile_.color + (block.y + (pixel >> 3 & 7)) * tile_.stride + block.x;
+      write_row(packed.data(), row);
+      write_row(packed.data() + 8 % lanes, row + tile_.stride);
+      return;
+    }
     for (; mask != 0; mask &= mask - 1) {
       const int lane = std::countr_zero(mask);
       const auto [x, y] = place_of(pixel + lane);
       if (x >= tile_.width || y >= tile_.height) continue;
-      const std::uint32_t value = packed[static_cast<std::size_t>(lane)];
-      tile_.color[y * tile_.stride + x] = {static_cast<std::uint8_t>(value),
-                                           static_cast<std::uint8_t>(value >> 8U),
-                                           static_cast<std::uint8_t>(value >> 16U)};
+      tile_.color[y * tile_.stride + x] = unpacked(packed[static_cast<std::size_t>(lane)]);
     }
+  }
+
+  static Rgb8 unpacked(std::uint32_t color) {
+    return {static_cast<std::uint8_t>(color), static_cast<std::uint8_t>(color >> 8U),
+            static_cast<std::uint8_t>(color >> 16U)};
+  }
+
+  /// Eight pixels: four bytes at a time, of which the next pixel overwrites the last; but for the
+  /// eighth, whose neighbour may be another thread's.
+  static void write_row(const std::uint32_t* packed, Rgb8* row) {
+    auto* bytes_of_row = reinterpret_cast<std::uint8_t*>(row);
+    for (std::size_t i = 0; i < 7; ++i) std::memcpy(bytes_of_row + 3 * i, packed + i, 4);
+    row[7] = unpacked(packed[7]);
   }
 
   const DrawJob& job_;
   const Shader& shader_;
   const Mesh& mesh_;
   const Tile& tile_;
+  int blocks_shift_;
   ShadingScratch& scratch_;
   Statistics& statistics_;
 };

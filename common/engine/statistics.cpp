@@ -12,17 +12,15 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 17> fields = {{
+constexpr std::array<Field, 15> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
-    {"clusters_facing_away", &Statistics::clusters_facing_away},
     {"clusters_hidden", &Statistics::clusters_hidden},
     {"vertices", &Statistics::vertices},
     {"vertices_skipped", &Statistics::vertices_skipped},
     {"triangles", &Statistics::triangles},
     {"triangles_culled", &Statistics::triangles_culled},
     {"triangles_missed", &Statistics::triangles_missed},
-    {"triangles_hidden", &Statistics::triangles_hidden},
     {"triangles_clipped", &Statistics::triangles_clipped},
     {"triangles_binned", &Statistics::triangles_binned},
     {"blocks_hidden", &Statistics::blocks_hidden},

@@ -207,6 +207,12 @@ class LargeDrawing {
   LargeDrawing(const DrawJob& job, const Tile& tile, const LargeTriangle& triangle)
       : job_(job), tile_(tile), triangle_(triangle) {
     for (std::size_t i = 0; i < 3; ++i) edge_[i] = TileEdge(triangle, i, tile);
+    const auto [low_x, high_x] = std::minmax({triangle.x[0], triangle.x[1], triangle.x[2]});
+    const auto [low_y, high_y] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
+    left_ = ((low_x + 127) >> 8) - tile.left;
+    right_ = ((high_x - 128) >> 8) - tile.left;
+    top_ = ((low_y + 127) >> 8) - tile.top;
+    bottom_ = ((high_y - 128) >> 8) - tile.top;
   }
 
   bool misses() const { return edge_[0].misses || edge_[1].misses || edge_[2].misses; }
@@ -233,7 +239,9 @@ class LargeDrawing {
     const Ints shift_mask(per_row - 1);
     const float nearest =
         std::max({triangle_.depth[0], triangle_.depth[1], triangle_.depth[2]}) * 1.000001F;
-    for (int first = 0; first < tile_.block_count(); first += lanes) {
+    const int first_block = std::max(top_ / 8, 0) * per_row / lanes * lanes;
+    const int last_block = (std::min(bottom_, tile_.size - 1) / 8 + 1) * per_row;
+    for (int first = first_block; first < last_block; first += lanes) {
       const Ints block = iota(first);
       const Ints bx = block & shift_mask;
       const Ints by = per_row == 8   ? shift_right<3>(block)
@@ -262,12 +270,8 @@ class LargeDrawing {
 
   /// Whether blocks reach into the box around the triangle.
   Truth in_bounds(Ints x, Ints y) const {
-    const auto [low_x, high_x] = std::minmax({triangle_.x[0], triangle_.x[1], triangle_.x[2]});
-    const auto [low_y, high_y] = std::minmax({triangle_.y[0], triangle_.y[1], triangle_.y[2]});
-    return x + Ints(7) >= Ints(((low_x + 127) >> 8) - tile_.left) &&
-           x <= Ints(((high_x - 128) >> 8) - tile_.left) &&
-           y + Ints(7) >= Ints(((low_y + 127) >> 8) - tile_.top) &&
-           y <= Ints(((high_y - 128) >> 8) - tile_.top);
+    return x + Ints(7) >= Ints(left_) && x <= Ints(right_) && y + Ints(7) >= Ints(top_) &&
+           y <= Ints(bottom_);
   }
 
   void prepare_depth() {
@@ -277,20 +281,17 @@ class LargeDrawing {
     const double d0 = triangle_.depth[0];
     k1_ = static_cast<float>((triangle_.depth[1] - d0) * inverse);
     k2_ = static_cast<float>((triangle_.depth[2] - d0) * inverse);
-    for (std::size_t g = 0; g < groups; ++g) {
-      const Doubles x = to_doubles(load(places.x.data() + g * lanes)) * Doubles(256);
-      const Doubles y = to_doubles(load(places.y.data() + g * lanes)) * Doubles(256);
-      offset1_[g] = x * Doubles(edge_[1].step_x) + y * Doubles(edge_[1].step_y);
-      offset2_[g] = x * Doubles(edge_[2].step_x) + y * Doubles(edge_[2].step_y);
-    }
+    const Doubles x = to_doubles(load(places.x.data())) * Doubles(256);
+    const Doubles y = to_doubles(load(places.y.data())) * Doubles(256);
+    offset1_ = x * Doubles(edge_[1].step_x) + y * Doubles(edge_[1].step_y);
+    offset2_ = x * Doubles(edge_[2].step_x) + y * Doubles(edge_[2].step_y);
   }
 
   void prepare_coverage() {
+    const Ints x = load(places.x.data());
+    const Ints y = load(places.y.data());
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t g = 0; g < groups; ++g) {
-        coverage_[i][g] = load(places.x.data() + g * lanes) * Ints(edge_[i].test_x) +
-                          load(places.y.data() + g * lanes) * Ints(edge_[i].test_y);
-      }
+      coverage_[i] = x * Ints(edge_[i].test_x) + y * Ints(edge_[i].test_y);
     }
   }
 
@@ -300,29 +301,41 @@ class LargeDrawing {
            256.0 * (static_cast<double>(edge.step_x) * x + static_cast<double>(edge.step_y) * y);
   }
 
+  struct Offset {
+    int x, y;
+  };
+  /// Where in a block its vector `g` begins.
+  static constexpr Offset first_of(std::size_t g) {
+    const int pixel = static_cast<int>(g) * lanes;
+    return {pixel % 8, pixel / 8};
+  }
+
   template <bool whole>
   void draw_block(int block, Worker& worker) {
     const int x = block % tile_.blocks_per_row() * 8;
     const int y = block / tile_.blocks_per_row() * 8;
-    const Doubles e1(exact_at(edge_[1], x, y));
-    const Doubles e2(exact_at(edge_[2], x, y));
-    std::array<Ints, 3> at;
-    for (std::size_t i = 0; i < 3; ++i) {
-      at[i] = Ints(edge_[i].divided + edge_[i].test_x * x + edge_[i].test_y * y);
-    }
+    const auto depth_of = [&](std::size_t g) {
+      const auto [gx, gy] = first_of(g);
+      const Doubles e1 = Doubles(exact_at(edge_[1], x + gx, y + gy)) + offset1_;
+      const Doubles e2 = Doubles(exact_at(edge_[2], x + gx, y + gy)) + offset2_;
+      return Number(triangle_.depth[0]) +
+             (to_number(e1) * Number(k1_) + to_number(e2) * Number(k2_));
+    };
+    const auto covered_in = [&](std::size_t g) {
+      const auto [gx, gy] = first_of(g);
+      const auto outside = [&](const TileEdge& e, Ints offset) {
+        return Ints(e.divided + e.test_x * (x + gx) + e.test_y * (y + gy)) + offset;
+      };
+      return (outside(edge_[0], coverage_[0]) | outside(edge_[1], coverage_[1]) |
+              outside(edge_[2], coverage_[2])) >= Ints(0);
+    };
     float* depth_there = tile_.depth + block * 64;
     std::uint32_t* key_there = tile_.key + block * 64;
     const Ints key(static_cast<std::int32_t>(triangle_.key));
-    const auto depth_of = [&](std::size_t g) {
-      return Number(triangle_.depth[0]) + (to_number(e1 + offset1_[g]) * Number(k1_) +
-                                           to_number(e2 + offset2_[g]) * Number(k2_));
-    };
     const auto nearer_in = [&](std::size_t g, Number depth, Number old_depth, Ints old_key) {
       const Truth nearer = depth > old_depth || (depth == old_depth && key < old_key);
       if constexpr (whole) return nearer;
-      const Ints outside =
-          (at[0] + coverage_[0][g]) | (at[1] + coverage_[1][g]) | (at[2] + coverage_[2][g]);
-      return nearer && outside >= Ints(0);
+      return nearer && covered_in(g);
     };
     BlockMask kept = ~BlockMask{0};
     if (job_.discards()) {
@@ -337,6 +350,13 @@ class LargeDrawing {
     Number far(3.4e38F);
     for (std::size_t g = 0; g < groups; ++g) {
       const Number old_depth = load(depth_there + g * lanes);
+      if constexpr (!whole) {
+        // Thin triangles miss most of the blocks they cross.
+        if (!any(covered_in(g))) {
+          far = minimum(far, old_depth);
+          continue;
+        }
+      }
       const Number depth = depth_of(g);
       const Ints old_key = load(key_there + g * lanes);
       Truth nearer = nearer_in(g, depth, old_depth, old_key);
@@ -355,13 +375,142 @@ class LargeDrawing {
   const Tile& tile_;
   const LargeTriangle& triangle_;
   std::array<TileEdge, 3> edge_;
+  int left_, right_, top_, bottom_;  ///< pixels of the tile within the box around the triangle
   BlockMask touched_ = 0;
   BlockMask inside_ = 0;
   float k1_ = 0;
   float k2_ = 0;
-  std::array<Doubles, groups> offset1_;
-  std::array<Doubles, groups> offset2_;
-  std::array<std::array<Ints, groups>, 3> coverage_;
+  // Of the edge functions, over the lanes of a block's first vector.
+  Doubles offset1_;
+  Doubles offset2_;
+  std::array<Ints, 3> coverage_;
+};
+
+// ---------------------------------------------------------------------------------------------
+// Thin triangles: rows (or columns) of the tile side by side, one per lane
+//
+// A sliver crosses many blocks and has a sample or two in each row. Here each lane takes a row, if
+// the sliver is steep, or a column, if it is flat, and walks the few pixels between its longest
+// side and its third corner.
+
+class ThinDrawing {
+ public:
+  ThinDrawing(const Tile& tile, const LargeTriangle& triangle, HitWriter& writer)
+      : tile_(tile), triangle_(triangle), writer_(writer) {}
+
+  /// Pixels to walk at most, in each row or column, for a triangle to be worth this.
+  static constexpr float most_steps = 6;
+
+  /// False when the triangle isn't thin: nothing is drawn then.
+  bool draw() {
+    find_spine();
+    if (!(steps_ <= most_steps)) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      edge_[i] = TileEdge(triangle_, i, tile_);
+      if (edge_[i].misses) return true;
+    }
+    const double area = static_cast<double>(edge_[0].step_y) * (triangle_.y[0] - triangle_.y[1]) +
+                        static_cast<double>(edge_[0].step_x) * (triangle_.x[0] - triangle_.x[1]);
+    const double inverse = 1.0 / area;
+    const double d0 = triangle_.depth[0];
+    k1_ = Number(static_cast<float>((triangle_.depth[1] - d0) * inverse));
+    k2_ = Number(static_cast<float>((triangle_.depth[2] - d0) * inverse));
+    const auto& major = steep_ ? triangle_.y : triangle_.x;
+    const int origin = steep_ ? tile_.top : tile_.left;
+    const auto [low, high] = std::minmax({major[0], major[1], major[2]});
+    const int first = std::max(((low + 127) >> 8) - origin, 0);
+    const int last = std::min(((high - 128) >> 8) - origin, tile_.size - 1);
+    for (int line = first; line <= last; line += lanes) draw_lines(line, last);
+    return true;
+  }
+
+ private:
+  /// The longest side, seen along the axis it reaches farthest on: pixel position across that axis
+  /// is base_ + slope_ · line, and the triangle lies between that and offset_ pixels beside it.
+  void find_spine() {
+    std::size_t from = 0;
+    std::int32_t longest = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::int32_t length = std::max(std::abs(triangle_.x[j] - triangle_.x[i]),
+                                           std::abs(triangle_.y[j] - triangle_.y[i]));
+      if (length > longest) {
+        longest = length;
+        from = i;
+      }
+    }
+    const std::size_t to = (from + 1) % 3;
+    const std::size_t third = (from + 2) % 3;
+    steep_ = std::abs(triangle_.y[to] - triangle_.y[from]) == longest;
+    const auto& major = steep_ ? triangle_.y : triangle_.x;
+    const auto& minor = steep_ ? triangle_.x : triangle_.y;
+    const auto along = static_cast<float>(major[to] - major[from]);
+    slope_ = static_cast<float>(minor[to] - minor[from]) / along;
+    const int major_origin = steep_ ? tile_.top : tile_.left;
+    const int minor_origin = steep_ ? tile_.left : tile_.top;
+    // Pixel centres are half a pixel on: 128 units.
+    const auto to_first = static_cast<float>(major_origin * 256 + 128 - major[from]);
+    base_ = (static_cast<float>(minor[from] - minor_origin * 256 - 128) + to_first * slope_) / 256;
+    const float offset = (static_cast<float>(minor[third] - minor[from]) -
+                          static_cast<float>(major[third] - major[from]) * slope_) /
+                         256;
+    // Room for rounding: positions are below 2^17 pixels here, and asked for near the tile.
+    start_ = std::min(offset, 0.0F) - 0.75F;
+    steps_ = std::abs(offset) + 2.5F;
+  }
+
+  void draw_lines(int first, int last) {
+    const Ints line = iota(first);
+    const Number place = Number(base_) + Number(slope_) * as_numbers(line) + Number(start_);
+    // Far outside the tile, rounding is coarser but nothing is drawn either.
+    const Number bounded = minimum(maximum(place, Number(-16)), Number(80));
+    Ints across = to_whole(round_down(bounded));
+    const Ints& x = steep_ ? across : line;
+    const Ints& y = steep_ ? line : across;
+    std::array<Ints, 3> e;
+    for (std::size_t i = 0; i < 3; ++i) {
+      e[i] = Ints(edge_[i].divided) + x * Ints(edge_[i].test_x) + y * Ints(edge_[i].test_y);
+    }
+    const Truth lines_there = line <= Ints(last);
+    const Ints size(tile_.size - 1);
+    for (int step = 0; step < static_cast<int>(steps_) + 1; ++step) {
+      const Ints outside = e[0] | e[1] | e[2] | across | (size - across);
+      const std::uint32_t hit = bits(outside >= Ints(0) && lines_there);
+      if (hit != 0) write(hit, x, y);
+      across = across + Ints(1);
+      for (std::size_t i = 0; i < 3; ++i) {
+        e[i] = e[i] + Ints(steep_ ? edge_[i].test_x : edge_[i].test_y);
+      }
+    }
+  }
+
+  void write(std::uint32_t hit, Ints x, Ints y) {
+    const auto exact = [&](const TileEdge& e) {
+      return to_number(Doubles(static_cast<double>(e.exact)) +
+                       Doubles(256) *
+                           (to_doubles(x) * Doubles(e.step_x) + to_doubles(y) * Doubles(e.step_y)));
+    };
+    const Number depth =
+        Number(triangle_.depth[0]) + (exact(edge_[1]) * k1_ + exact(edge_[2]) * k2_);
+    const Ints pixel =
+        (x + shift_right<3>(x) * Ints(56)) +
+        (shift_left<3>(y) + shift_right<3>(y) * Ints(64 * tile_.blocks_per_row() - 64));
+    std::array<std::uint32_t, lanes> key;
+    key.fill(triangle_.key);
+    writer_.write(hit, pixel, depth, key.data());
+  }
+
+  const Tile& tile_;
+  const LargeTriangle& triangle_;
+  HitWriter& writer_;
+  std::array<TileEdge, 3> edge_;
+  bool steep_ = false;
+  float slope_ = 0;
+  float base_ = 0;
+  float start_ = 0;
+  float steps_ = 0;
+  Number k1_;
+  Number k2_;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -382,19 +531,21 @@ void update_far(const Tile& tile, BlockMask blocks) {
 
 void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker& worker) {
   const Tile tile = job.frame.tile(index);
+  HitWriter writer(tile);
   for (const Worker& from : workers) {
-    for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].large; chunk != nullptr;
-         chunk = chunk->next) {
+    for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].large.first;
+         chunk != nullptr; chunk = chunk->next) {
       for (int i = 0; i < chunk->count; ++i) {
-        LargeDrawing drawing(job, tile, *chunk->triangle[static_cast<std::size_t>(i)]);
+        const LargeTriangle& triangle = *chunk->triangle[static_cast<std::size_t>(i)];
+        if (!job.discards() && ThinDrawing(tile, triangle, writer).draw()) continue;
+        LargeDrawing drawing(job, tile, triangle);
         if (!drawing.misses()) drawing.draw(worker);
       }
     }
   }
-  HitWriter writer(tile);
   for (const Worker& from : workers) {
-    for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].small; chunk != nullptr;
-         chunk = chunk->next) {
+    for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].small.first;
+         chunk != nullptr; chunk = chunk->next) {
       draw_small(tile, *chunk, writer);
     }
   }

@@ -2,6 +2,9 @@
 
 #include "common/engine/shade_tile.h"
 
+#include "tests/engine/encode_shader.h"
+
 RASTERLAB_SHADER(rasterlab::BusyShader)
 RASTERLAB_SHADER(rasterlab::HolesShader)
 RASTERLAB_SHADER(rasterlab::PlainShader)
+RASTERLAB_SHADER(rasterlab::EncodeShader)

@@ -1,0 +1,141 @@
+// Depth and attributes against 128-bit arithmetic.
+#include "common/engine/renderer.h"
+#include "common/triangles/rasterize.h"
+
+#include "tests/engine/encode_shader.h"
+
+#include <random>
+
+#include <gmock/gmock.h>
+
+namespace rasterlab {
+namespace {
+
+__extension__ using Exact = __float128;
+
+constexpr int size = 48;
+
+/// One triangle given by its corners in clip space, and how to draw it: positions are the first
+/// three corners' own, since three corners can be anything to a 4 × 4 matrix.
+struct Case {
+  std::array<Eigen::Vector4f, 3> clip;
+  std::array<float, 3> attribute;
+};
+
+class Random {
+ public:
+  float number(float low, float high) {
+    return low + (high - low) * static_cast<float>(generator_() >> 8U) / 16777216.0F;
+  }
+  bool chance(float part) { return number(0, 1) < part; }
+
+ private:
+  std::mt19937 generator_{20};
+};
+
+/// Window positions in and around the picture, a third of them slivers; w over `w_ratio`.
+Case random_case(Random& random, float w_ratio) {
+  Case result;
+  Eigen::Vector2f first;
+  Eigen::Vector2f second;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Eigen::Vector2f ndc(random.number(-1.5F, 1.5F), random.number(-1.5F, 1.5F));
+    if (i == 2 && random.chance(0.33F)) {
+      const float t = random.number(-0.5F, 1.5F);
+      ndc = first + t * (second - first) +
+            Eigen::Vector2f(random.number(-0.03F, 0.03F), random.number(-0.03F, 0.03F));
+    }
+    (i == 0 ? first : second) = ndc;
+    const float w = std::exp(random.number(0, std::log(w_ratio)));
+    result.clip[i] = Eigen::Vector4f(ndc.x() * w, ndc.y() * w, w - 2 * random.number(0, 1), w);
+    result.attribute[i] = random.number(0, 1);
+  }
+  return result;
+}
+
+/// A mesh whose vertex i is the unit vector i, and the matrix that takes it to the corner: each
+/// clip coordinate is then exactly the one given.
+const Mesh& unit_mesh() {
+  static const Mesh mesh = {.positions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                            .normals = {},
+                            .colors = {},
+                            .texture_coordinates = {},
+                            .triangles = {{0, 1, 2}}};
+  return mesh;
+}
+Eigen::Matrix4f matrix_of(const Case& c) {
+  Eigen::Matrix4f matrix = Eigen::Matrix4f::Zero();
+  for (int i = 0; i < 3; ++i) matrix.col(i) = c.clip[static_cast<std::size_t>(i)];
+  return matrix;
+}
+
+struct Errors {
+  double attribute = 0;
+  double depth = 0;  ///< over the largest corner's
+  int pixels = 0;
+};
+
+void measure(const Case& c, Renderer& renderer, const PreparedMesh& mesh, Errors& errors) {
+  const EncodeShader shader = {c.attribute};
+  Framebuffer frame(size, size);
+  renderer.draw({.mesh = &mesh, .matrix = matrix_of(c), .shading = shading(shader)}, frame);
+  const Image<float> depth = frame.depth();
+  const Image<std::int32_t> ids = frame.ids();
+  std::array<Eigen::Vector2f, 3> window;
+  std::array<Exact, 3> corner_depth;
+  Exact largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector4f& p = c.clip[i];
+    window[i] = {(p.x() / p.w() + 1) * (size / 2.0F), (1 - p.y() / p.w()) * (size / 2.0F)};
+    corner_depth[i] = (static_cast<Exact>(p.w()) - p.z()) / 2 / p.w();
+    largest = std::max(largest, corner_depth[i]);
+  }
+  const TriangleEdges edges = make_edges(snap(window));
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      if (ids(x, y) < 0) continue;
+      std::array<Exact, 3> b;
+      Exact sum = 0;
+      Exact z = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto e = static_cast<Exact>(edges.edges[i].at(x, y));
+        z += e * corner_depth[i] / edges.twice_area;
+        b[i] = e / c.clip[i].w();
+        sum += b[i];
+      }
+      Exact value = 0;
+      for (std::size_t i = 0; i < 3; ++i) value += b[i] / sum * c.attribute[i];
+      const Rgb8& pixel = frame.color()(x, y);
+      const double attribute_error =
+          std::abs(static_cast<double>(decode(pixel.r, pixel.g, pixel.b) - value));
+      const double depth_error =
+          std::abs(static_cast<double>((static_cast<Exact>(depth(x, y)) - z) / largest));
+      errors.attribute = std::max(errors.attribute, attribute_error);
+      errors.depth = std::max(errors.depth, depth_error);
+      ++errors.pixels;
+    }
+  }
+}
+
+TEST(engine_precision, depth_and_attributes_against_float128) {
+  Random random;
+  Renderer renderer({.threads = 1, .skip = {}});
+  const PreparedMesh mesh(unit_mesh());
+  for (const float w_ratio : {1.0F, 10.0F, 1e5F}) {
+    Errors errors;
+    for (int i = 0; i < 6000; ++i) measure(random_case(random, w_ratio), renderer, mesh, errors);
+    EXPECT_GT(errors.pixels, 500000);
+    // The picture's 24 bits add half of 2^-24.
+    EXPECT_LE(errors.attribute, 2.4e-7 + 3e-8) << "w ratio " << w_ratio;
+    EXPECT_LE(errors.depth, 3e-7) << "w ratio " << w_ratio;
+    RecordProperty("attribute_error_w_" + std::to_string(static_cast<int>(w_ratio)),
+                   std::to_string(errors.attribute * 1e7) + "e-7");
+    RecordProperty("depth_error_w_" + std::to_string(static_cast<int>(w_ratio)),
+                   std::to_string(errors.depth * 1e7) + "e-7");
+    std::printf("w ratio %g: attribute error %.3g, depth error %.3g over %d pixels\n",
+                static_cast<double>(w_ratio), errors.attribute, errors.depth, errors.pixels);
+  }
+}
+
+}  // namespace
+}  // namespace rasterlab
