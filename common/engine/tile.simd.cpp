@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -65,7 +66,22 @@ struct LaneTriangles {
   Number depth, k1, k2;
 };
 
-LaneTriangles load_lanes(const SmallTriangles& triangles, int from, int count, const Tile& tile) {
+/// Which lanes' triangles are behind all that the blocks they touch already show. A triangle of at
+/// most 8×8 samples touches no block but those of its corners.
+Truth hidden_lanes(const Tile& tile, Ints left, Ints right, Ints top, Ints bottom, Number nearest) {
+  const Ints per_row(tile.blocks_per_row());
+  const Ints last(tile.blocks_per_row() - 1);
+  const auto block = [&](Ints pixel) {
+    return minimum(maximum(shift_right<3>(pixel), Ints(0)), last);
+  };
+  const auto far = [&](Ints x, Ints y) { return gather_numbers(tile.block_far, y * per_row + x); };
+  const Number above = minimum(far(block(left), block(top)), far(block(right), block(top)));
+  const Number below = minimum(far(block(left), block(bottom)), far(block(right), block(bottom)));
+  return minimum(above, below) > nearest * Number(1.000001F);
+}
+
+LaneTriangles load_lanes(const SmallTriangles& triangles, int from, int count, const Tile& tile,
+                         bool skip_hidden) {
   std::array<Ints, 3> x;
   std::array<Ints, 3> y;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -88,7 +104,11 @@ LaneTriangles load_lanes(const SmallTriangles& triangles, int from, int count, c
   const Number d0 = load(triangles.depth[0].data() + from);
   const Number d1 = load(triangles.depth[1].data() + from);
   const Number d2 = load(triangles.depth[2].data() + from);
-  const Truth present = first_lanes(std::min(count, lanes));
+  Truth present = first_lanes(std::min(count, lanes));
+  if (skip_hidden) {
+    const Number nearest = maximum(maximum(d0, d1), d2);
+    present = present && !hidden_lanes(tile, left, right, top, bottom, nearest);
+  }
   return {{LaneEdge(x[1], y[1], x[2], y[2], px, py), LaneEdge(x[2], y[2], x[0], y[0], px, py),
            LaneEdge(x[0], y[0], x[1], y[1], px, py)},
           left,
@@ -123,7 +143,8 @@ class HitWriter {
     }
   }
 
-  BlockMask written_blocks() const { return written_; }
+  /// Blocks written to since the last call.
+  BlockMask take_written_blocks() { return std::exchange(written_, 0); }
 
  private:
   const Tile& tile_;
@@ -156,9 +177,10 @@ void draw_lanes(const Tile& tile, LaneTriangles t, const std::uint32_t* key, Hit
   }
 }
 
-void draw_small(const Tile& tile, const SmallTriangles& triangles, HitWriter& writer) {
+void draw_small(const Tile& tile, const SmallTriangles& triangles, bool skip_hidden,
+                HitWriter& writer) {
   for (int from = 0; from < triangles.count; from += lanes) {
-    draw_lanes(tile, load_lanes(triangles, from, triangles.count - from, tile),
+    draw_lanes(tile, load_lanes(triangles, from, triangles.count - from, tile, skip_hidden),
                triangles.key.data() + from, writer);
   }
 }
@@ -274,6 +296,9 @@ class LargeDrawing {
            y <= Ints(bottom_);
   }
 
+  /// Within 64 pixels a side: edge functions over the tile fit 32 bits as they are.
+  bool is_short() const { return right_ - left_ < 63 && bottom_ - top_ < 63; }
+
   void prepare_depth() {
     const auto area = static_cast<double>(edge_[0].step_y) * (triangle_.y[0] - triangle_.y[1]) +
                       static_cast<double>(edge_[0].step_x) * (triangle_.x[0] - triangle_.x[1]);
@@ -281,6 +306,14 @@ class LargeDrawing {
     const double d0 = triangle_.depth[0];
     k1_ = static_cast<float>((triangle_.depth[1] - d0) * inverse);
     k2_ = static_cast<float>((triangle_.depth[2] - d0) * inverse);
+    short_ = is_short();
+    if (short_) {
+      const Ints x = shift_left<8>(load(places.x.data()));
+      const Ints y = shift_left<8>(load(places.y.data()));
+      short1_ = x * Ints(edge_[1].step_x) + y * Ints(edge_[1].step_y);
+      short2_ = x * Ints(edge_[2].step_x) + y * Ints(edge_[2].step_y);
+      return;
+    }
     const Doubles x = to_doubles(load(places.x.data())) * Doubles(256);
     const Doubles y = to_doubles(load(places.y.data())) * Doubles(256);
     offset1_ = x * Doubles(edge_[1].step_x) + y * Doubles(edge_[1].step_y);
@@ -296,6 +329,9 @@ class LargeDrawing {
   }
 
   /// Exact, in a double, at the block's first pixel.
+  static std::int32_t short_at(const TileEdge& edge, int x, int y) {
+    return static_cast<std::int32_t>(edge.exact) + 256 * (edge.step_x * x + edge.step_y * y);
+  }
   static double exact_at(const TileEdge& edge, int x, int y) {
     return static_cast<double>(edge.exact) +
            256.0 * (static_cast<double>(edge.step_x) * x + static_cast<double>(edge.step_y) * y);
@@ -316,6 +352,12 @@ class LargeDrawing {
     const int y = block / tile_.blocks_per_row() * 8;
     const auto depth_of = [&](std::size_t g) {
       const auto [gx, gy] = first_of(g);
+      if (short_) {
+        const Ints e1 = Ints(short_at(edge_[1], x + gx, y + gy)) + short1_;
+        const Ints e2 = Ints(short_at(edge_[2], x + gx, y + gy)) + short2_;
+        return Number(triangle_.depth[0]) +
+               (as_numbers(e1) * Number(k1_) + as_numbers(e2) * Number(k2_));
+      }
       const Doubles e1 = Doubles(exact_at(edge_[1], x + gx, y + gy)) + offset1_;
       const Doubles e2 = Doubles(exact_at(edge_[2], x + gx, y + gy)) + offset2_;
       return Number(triangle_.depth[0]) +
@@ -383,6 +425,9 @@ class LargeDrawing {
   // Of the edge functions, over the lanes of a block's first vector.
   Doubles offset1_;
   Doubles offset2_;
+  Ints short1_;
+  Ints short2_;
+  bool short_ = false;
   std::array<Ints, 3> coverage_;
 };
 
@@ -543,13 +588,14 @@ void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker&
       }
     }
   }
+  update_far(tile, writer.take_written_blocks());
   for (const Worker& from : workers) {
     for (const auto* chunk = from.bins[static_cast<std::size_t>(index)].small.first;
          chunk != nullptr; chunk = chunk->next) {
-      draw_small(tile, *chunk, writer);
+      draw_small(tile, *chunk, job.skip.hidden, writer);
+      update_far(tile, writer.take_written_blocks());
     }
   }
-  update_far(tile, writer.written_blocks());
   job.frame.tile_far(index) =
       *std::min_element(tile.block_far, tile.block_far + tile.block_count());
 }
