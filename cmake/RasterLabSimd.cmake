@@ -2,7 +2,11 @@
 
 # What such files need to compile.
 add_library(rasterlab_simd_usage INTERFACE)
-target_link_libraries(rasterlab_simd_usage INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json rasterlab_highway)
+if(TARGET RasterLab::common) # installed
+  target_link_libraries(rasterlab_simd_usage INTERFACE RasterLab::common RasterLab::rasterlab_highway)
+else()
+  target_link_libraries(rasterlab_simd_usage INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json rasterlab_highway)
+endif()
 # A type's layout must not depend on the instruction set its file is compiled for.
 target_compile_definitions(rasterlab_simd_usage INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 

@@ -1,0 +1,5 @@
+#include "shader.h"
+
+#include "common/engine/shade_tile.h"
+
+RASTERLAB_SHADER(NormalShader)
