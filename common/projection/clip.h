@@ -22,10 +22,13 @@ struct ClipVertex {
 using ClipPolygon = std::vector<ClipVertex>;
 using ClipTriangle = std::array<Eigen::Vector4f, 3>;
 
+/// No picture is wider or higher than this many pixels: coverage is exact within ±32768.
+inline constexpr int longest_side = 32767;
+
 /// How far |x/w| and |y/w| of a picture's triangles may go without clipping: max(32768 / side − 1,
 /// 1), so that window coordinates stay within half of the ±32768 pixels in which coverage is exact,
 /// or within the picture itself, whose own edges are at 1. Throws CheckError for a picture without
-/// pixels or wider or higher than 32767.
+/// pixels or with a side beyond `longest_side`.
 Eigen::Vector2f guard_band(int width, int height);
 
 /// One rung: what of the triangle is in front of the near plane. A triangle that is wholly in front

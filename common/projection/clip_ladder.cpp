@@ -8,10 +8,10 @@
 namespace rasterlab {
 
 Eigen::Vector2f guard_band(int width, int height) {
-  constexpr int longest = static_cast<int>(max_coordinate) - 1;
-  if (width < 1 || height < 1 || width > longest || height > longest) {
+  static_assert(longest_side < max_coordinate);
+  if (width < 1 || height < 1 || width > longest_side || height > longest_side) {
     throw CheckError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                     " pixels cannot be drawn: sides are 1 to " + std::to_string(longest));
+                     " pixels cannot be drawn: sides are 1 to " + std::to_string(longest_side));
   }
   // Half of the range in which coverage is exact; the other half is left to rounding.
   const auto band = [](int side) {

@@ -2,6 +2,7 @@
 
 #include "common/image/check.h"
 #include "common/image/files.h"
+#include "common/projection/clip.h"
 
 #include <charconv>
 #include <cmath>
@@ -66,9 +67,8 @@ class SceneReader {
   }
 
   int side(std::size_t index) const {
-    constexpr float longest = 32767;
     const float value = number(index);
-    if (!(value >= 1 && value <= longest && value == std::floor(value))) fail();
+    if (!(value >= 1 && value <= longest_side && value == std::floor(value))) fail();
     return static_cast<int>(value);
   }
 
@@ -124,7 +124,8 @@ Scene read_scene(const std::filesystem::path& path) {
   scene.up = reader.vector();
   reader.next("the focal length in pixels, a number above 0");
   scene.focal_length = reader.positive(0);
-  reader.next("the picture's width and height, whole numbers from 1 to 32767");
+  reader.next("the picture's width and height, whole numbers from 1 to " +
+              std::to_string(longest_side));
   scene.width = reader.side(0);
   scene.height = reader.side(1);
   reader.next("the ambient intensity, a number");

@@ -272,6 +272,13 @@ void add_viewer_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags& 
   add_cull_flag(app, flags.cull);
   add_engine_flags(app, options, flags);
   add_output_flags(app, flags);
+  app.parse_complete_callback([&app, &flags] {
+    for (const CLI::Option* option : app.get_options()) {
+      if (option->get_group() == group && option->count() > 0 && flags.first_used.empty()) {
+        flags.first_used = option->get_name();
+      }
+    }
+  });
 }
 
 }  // namespace rasterlab

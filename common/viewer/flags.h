@@ -38,6 +38,7 @@ struct ViewerFlags {
   std::filesystem::path depth;
   std::filesystem::path ids;
   bool window = false;
+  std::string first_used = {};  ///< the first of these flags on the command line
 
   bool asks_for_drawing() const { return !mesh.empty() || !scene.empty(); }
 };

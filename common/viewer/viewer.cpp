@@ -309,6 +309,11 @@ void check(const ViewerFlags& flags, const RunSettings& settings) {
   if (flags.window && flags.frames > 0) {
     throw UsageError("--window and --frames: expected one of the two");
   }
+  const Size size = settings.size.value_or(Size{1, 1});
+  if (std::max(size.width, size.height) > longest_side) {
+    throw UsageError("--size " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                     ": expected sides of at most " + std::to_string(longest_side));
+  }
   if (flags.turntable && flags.frames == 0) {
     throw UsageError("--turntable: expected with --frames N");
   }
@@ -327,7 +332,14 @@ OwnInput viewer(const ViewerOptions& options) {
   const auto flags = std::make_shared<ViewerFlags>();
   return {
       .add_flags = [=](CLI::App& app) { add_viewer_flags(app, options, *flags); },
-      .given = [=] { return flags->asks_for_drawing() || asks_for_list(*flags); },
+      .given =
+          [=] {
+            const bool asked = flags->asks_for_drawing() || asks_for_list(*flags);
+            if (!asked && !flags->first_used.empty()) {
+              throw UsageError(flags->first_used + ": expected with --mesh or --scene");
+            }
+            return asked;
+          },
       .run =
           [=](Run& run) {
             if (printed_list(*flags, options)) return;
