@@ -84,7 +84,7 @@ void draw_planet(Run& run) {
   run.picture("06.2_planet", frame.color);
 }
 
-// 06.3: course C's wall, whose far end is four times as far as its near one.
+// 06.3: course C's wall, seen along.
 void draw_perspective_ladder(Run& run) {
   const Mesh wall = read_mesh(data_path("wall.off"));
   const Texture texture(read_image<Rgb8>(data_path("brick.png")), MipLevels::none);
