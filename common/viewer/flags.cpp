@@ -259,6 +259,19 @@ void add_output_flags(CLI::App& app, ViewerFlags& flags) {
   }
 }
 
+// Flags that say how to draw are refused where nothing is given to draw: they would be ignored.
+void expect_mesh_with_flags(CLI::App& app, const ViewerFlags& flags) {
+  app.parse_complete_callback([&app, &flags] {
+    if (flags.asks_for_drawing()) return;
+    for (const CLI::Option* option : app.get_options()) {
+      const bool is_given = option->get_group() == group && option->count() > 0;
+      if (is_given && option->results().front() != "list") {
+        throw UsageError(option->get_name() + ": expected --mesh or --scene with it");
+      }
+    }
+  });
+}
+
 }  // namespace
 
 void add_viewer_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags& flags) {
@@ -272,6 +285,7 @@ void add_viewer_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags& 
   add_cull_flag(app, flags.cull);
   add_engine_flags(app, options, flags);
   add_output_flags(app, flags);
+  expect_mesh_with_flags(app, flags);
 }
 
 }  // namespace rasterlab

@@ -38,10 +38,11 @@ INSTANTIATE_TEST_SUITE_P(, cli_stage, testing::ValuesIn(stages()), stage_name);
 
 std::vector<std::string> flags_of(const std::string& stage) {
   std::vector<std::string> flags{"--help", "--list",      "--exercise", "--out",
-                                 "--size", "--algorithm", "--stats",    "--quiet"};
+                                 "--size", "--stats",    "--quiet"};
   const auto add = [&](std::initializer_list<const char*> more) {
     flags.insert(flags.end(), more.begin(), more.end());
   };
+  if (stage != "07_shaders") add({"--algorithm"});  // it has no ladder
   if (stage == "01_lines") add({"--lines", "convert"});
   if (stage == "02_triangles") add({"--triangles", "--coverage"});
   if (stage == "03_zbuffer") add({"--triangles"});
@@ -134,10 +135,11 @@ bool is_promised(const std::set<std::string>& promised, const std::string& file)
 }
 
 TEST_P(cli_stage, each_exercise_writes_what_its_manifest_says) {
+  int number = 0;
   for (const nlohmann::json& exercise : exercises(stage_)) {
     const std::string id = exercise.at("id");
     SCOPED_TRACE(id);
-    const fs::path out = scratch_ / id;
+    const fs::path out = scratch_ / ("of_" + std::to_string(number++));
     const ProcessResult result = run_here({"--exercise", id, "--size", "64x48", "--out", out});
     ASSERT_EQ(result.exit_status, 0) << result.err;
     EXPECT_EQ(result.err, "");
@@ -167,8 +169,10 @@ TEST_P(cli_stage, quiet_twice_gives_the_same_bytes_and_nothing_else) {
   EXPECT_EQ(run_here(arguments).exit_status, 0);
   const std::map<std::string, std::string> again = files_in(scratch_.path());
   ASSERT_EQ(again.size(), files.size());
-  for (const auto& [file, content] : files)
+  for (const auto& [file, content] : files) {
+    if (file.ends_with("backtrace_log.txt")) continue;  // holds addresses
     EXPECT_TRUE(again.at(file) == content) << file << " differs";
+  }
 }
 
 TEST_P(cli_stage, statistics_are_one_json_object) {
