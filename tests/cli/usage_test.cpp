@@ -2,6 +2,7 @@
 #include "common/image/files.h"
 
 #include "tests/cli/command_line.h"
+#include "tests/support/pattern.h"
 
 #include <regex>
 #include <set>
@@ -37,8 +38,8 @@ std::string stage_name(const testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(, cli_stage, testing::ValuesIn(stages()), stage_name);
 
 std::vector<std::string> flags_of(const std::string& stage) {
-  std::vector<std::string> flags{"--help", "--list",      "--exercise", "--out",
-                                 "--size", "--stats",    "--quiet"};
+  std::vector<std::string> flags{"--help", "--list",  "--exercise", "--out",
+                                 "--size", "--stats", "--quiet"};
   const auto add = [&](std::initializer_list<const char*> more) {
     flags.insert(flags.end(), more.begin(), more.end());
   };
@@ -115,23 +116,15 @@ TEST_P(cli_stage, places_that_cannot_be_written_are_refused) {
   }
 }
 
-/// What an exercise writes when it is asked for alone: printouts go to standard output.
-std::set<std::string> files_of(const nlohmann::json& exercise) {
-  std::set<std::string> files = exercise.at("writes").get<std::set<std::string>>();
-  std::erase_if(files, [](const std::string& file) { return file.ends_with(".txt"); });
-  return files;
+/// Whether an exercise asked for alone writes this file: printouts go to standard output.
+bool is_written_alone(const std::string& file) {
+  return std::regex_match(file, std::regex("[A-Za-z0-9_.-]+")) && !file.ends_with(".txt");
 }
 
-/// "light_0000.png … light_0099.png" stands for all between; here, whether a file is one of them.
+/// Whether a file is among those a manifest names, as "05.6_light_*.png".
 bool is_promised(const std::set<std::string>& promised, const std::string& file) {
-  if (promised.count(file) != 0) return true;
-  const std::regex frame("(.*_)[0-9]{4}(\\.png)");
-  std::smatch match;
-  if (!std::regex_match(file, match, frame)) return false;
-  for (const std::string& entry : promised) {
-    if (entry.find(match[1].str() + "0000") != std::string::npos) return true;
-  }
-  return false;
+  return std::any_of(promised.begin(), promised.end(),
+                     [&](const std::string& pattern) { return matches(pattern, file); });
 }
 
 TEST_P(cli_stage, each_exercise_writes_what_its_manifest_says) {
@@ -144,15 +137,14 @@ TEST_P(cli_stage, each_exercise_writes_what_its_manifest_says) {
     ASSERT_EQ(result.exit_status, 0) << result.err;
     EXPECT_EQ(result.err, "");
     const std::map<std::string, std::string> files = files_in(out);
-    const std::set<std::string> promised = files_of(exercise);
+    const auto promised = exercise.at("writes").get<std::set<std::string>>();
     for (const auto& [file, content] : files) {
       EXPECT_TRUE(is_promised(promised, file)) << file << " is written but not in the manifest";
       EXPECT_FALSE(content.empty()) << file;
       EXPECT_THAT(result.out, testing::HasSubstr("wrote " + (out / file).string() + "\n"));
     }
     for (const std::string& file : promised) {
-      const bool is_one_file = std::regex_match(file, std::regex("[A-Za-z0-9_.-]+"));
-      EXPECT_TRUE(!is_one_file || files.count(file) != 0)
+      EXPECT_TRUE(!is_written_alone(file) || files.count(file) != 0)
           << file << " is in the manifest but not written";
     }
   }
