@@ -90,8 +90,8 @@ def collect(exercise, paths):
 
 
 def belongs(path, exercise):
-    """The file name starts with the id, and the id ends there: 04.1 does not own 04.10_normals.png."""
-    return re.match(re.escape(exercise["id"]) + r"(?![0-9])", path.name) is not None
+    """The manifest names the file, or its name starts with the id: 04.1 does not own 04.10_normals.png."""
+    return path.name in exercise["writes"] or re.match(re.escape(exercise["id"]) + r"(?![0-9])", path.name) is not None
 
 
 def collect_stage(folder, results):

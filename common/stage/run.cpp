@@ -53,7 +53,8 @@ template void Run::picture(const std::string&, const Image<Rgba8>&);
 template void Run::picture(const std::string&, const Image<float>&);
 
 void Run::printout(const std::string& name, const std::string& text) {
-  if (!settings_.exercise.empty()) {
+  const bool is_asked_for = !settings_.exercise.empty();
+  if (is_asked_for && !settings_.statistics) {  // whose output is one JSON object and nothing else
     std::cout << text << std::flush;
     return;
   }

@@ -40,8 +40,8 @@ class Run {
   template <class Pixel>
   void picture(const std::string& name, const Image<Pixel>& image);
 
-  /// A printout: shown on standard output when its exercise was asked for by --exercise, else
-  /// written as `NAME.txt`.
+  /// A printout: shown on standard output when its exercise was asked for by --exercise and no
+  /// --stats, else written as `NAME.txt`.
   void printout(const std::string& name, const std::string& text);
 
   /// A file of any other kind, made by `write`, which gets the path to write to.

@@ -2,6 +2,7 @@
 #include "common/image/files.h"
 
 #include "tests/house/repository.h"
+#include "tests/support/pattern.h"
 #include "tests/support/process.h"
 #include "tests/support/scratch.h"
 

@@ -2,6 +2,7 @@
 
 #include "common/image/files.h"
 
+#include "tests/support/pattern.h"
 #include "tests/support/process.h"
 
 #include <algorithm>
@@ -38,17 +39,6 @@ const std::vector<std::string>& test_names() {
     return found;
   }();
   return names;
-}
-
-bool matches(const std::string& pattern, const std::string& name) {
-  const std::size_t star = pattern.find('*');
-  if (star == std::string::npos) return pattern == name;
-  if (name.compare(0, star, pattern, 0, star) != 0) return false;
-  const std::string rest = pattern.substr(star + 1);
-  for (std::size_t skipped = star; skipped <= name.size(); ++skipped) {
-    if (matches(rest, name.substr(skipped))) return true;
-  }
-  return false;
 }
 
 bool some_test_matches(const std::string& pattern) {

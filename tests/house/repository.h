@@ -21,9 +21,6 @@ nlohmann::json exercises(const std::string& stage);
 /// Every test CTest knows, by its dotted name.
 const std::vector<std::string>& test_names();
 
-/// Whether a test matches a pattern in which * stands for anything: "stage01.draw_line.*".
-bool matches(const std::string& pattern, const std::string& name);
-
 /// Whether any test matches the pattern.
 bool some_test_matches(const std::string& pattern);
 

@@ -119,13 +119,14 @@ namespace {
 
 /// Whether the colour jumps within 1/128 px of a point of a face, or another face crosses it there.
 bool near_a_jump(const RayCaster& witness, double x, double y, const Hit& hit,
-                 const ShadePixel& shade, const std::vector<long>& key) {
+                 const ShadePixel& shade, const Shade& here) {
   constexpr double beside = 1.0 / 128;
+  if (here.at_jump) return true;
   for (const double dx : {-beside, beside}) {
     for (const double dy : {-beside, beside}) {
-      if (key.empty()) continue;
+      if (here.key.empty()) continue;
       const Hit there = witness.cast_plane(x + dx, y + dy, hit.face);
-      if (shade(x + dx, y + dy, there).key != key) return true;
+      if (shade(x + dx, y + dy, there).key != here.key) return true;
     }
   }
   return witness.is_near_crossing(x, y, hit, beside);
@@ -148,7 +149,7 @@ Agreement compare_colors(const RayCaster& witness, const Image<Rgb8>& picture,
       Shade expected{.color = Eigen::Vector3d::Zero()};
       if (hit.face >= 0) expected = shade(x + 0.5, y + 0.5, hit);
       if (edges[pixel] <= 1.0 / 128 ||
-          (hit.face >= 0 && near_a_jump(witness, x + 0.5, y + 0.5, hit, shade, expected.key))) {
+          (hit.face >= 0 && near_a_jump(witness, x + 0.5, y + 0.5, hit, shade, expected))) {
         ++agreement.near_edge;
         continue;
       }

@@ -22,6 +22,7 @@ namespace rasterlab::oracle {
 struct Shade {
   Eigen::Vector3d color;
   std::vector<long> key = {};
+  bool at_jump = false;  ///< the 1/512 px by which snapping moves a corner decides on which side
 };
 
 /// The light's and the material's numbers as the flags say them; direction and position in the

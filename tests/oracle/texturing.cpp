@@ -103,14 +103,21 @@ Eigen::Matrix2d jacobian(const DeepTexture& texture, const Steps& steps) {
   return Eigen::Vector2d(level.width, level.height).asDiagonal() * matrix;
 }
 
+/// Snapping moves a triangle's corners by up to 1/512 px, which changes the derivatives of one that
+/// is a few pixels large by so much of themselves.
+constexpr double derivative_doubt = 0.01;
+
 /// Samples along the ellipse's longer axis; its axes are the Jacobian's singular vectors.
 Shade anisotropic(const DeepTexture& texture, const std::string& wrap, const Steps& steps) {
   const Level& base = texture.levels().front();
   const Eigen::JacobiSVD<Eigen::Matrix2d> svd(jacobian(texture, steps), Eigen::ComputeFullU);
   const double longer = svd.singularValues()[0];
   const double shorter = svd.singularValues()[1];
-  const double wanted = std::ceil(longer / std::max(shorter, 1.0));
-  const int count = static_cast<int>(std::clamp(wanted, 1.0, 16.0));
+  const double wanted = longer / std::max(shorter, 1.0);
+  const auto count_of = [](double ratio) {
+    return static_cast<int>(std::clamp(std::ceil(ratio), 1.0, 16.0));
+  };
+  const int count = count_of(wanted);
   const Eigen::Vector2d axis =
       (svd.matrixU().col(0) * longer).cwiseQuotient(Eigen::Vector2d(base.width, base.height));
   const double level = std::log2(std::max({shorter, longer / 16, 1.0}));
@@ -118,7 +125,9 @@ Shade anisotropic(const DeepTexture& texture, const std::string& wrap, const Ste
   for (int i = 0; i < count; ++i) {
     sum += trilinear(texture, wrap, steps.uv + ((i + 0.5) / count - 0.5) * axis, level);
   }
-  return {sum / count, {count}};
+  const bool at_jump =
+      count_of(wanted * (1 - derivative_doubt)) != count_of(wanted * (1 + derivative_doubt));
+  return {sum / count, {count}, at_jump};
 }
 
 }  // namespace
@@ -144,8 +153,15 @@ Shade sample(const DeepTexture& texture, const std::string& filter, const std::s
   const Eigen::Matrix2d footprint = jacobian(texture, steps);
   const double level = std::log2(std::max(footprint.colwise().norm().maxCoeff(), 1.0));
   if (filter == "trilinear") return {trilinear(texture, wrap, steps.uv, level)};
-  const long whole = std::min(std::lround(level), static_cast<long>(texture.levels().size()) - 1);
-  return {bilinear(texture.levels()[static_cast<std::size_t>(whole)], wrap, steps.uv), {whole}};
+  const auto nearest_level = [&](double fractional) {
+    return std::min(std::lround(fractional), static_cast<long>(texture.levels().size()) - 1);
+  };
+  const long whole = nearest_level(level);
+  const bool at_jump =
+      nearest_level(level - derivative_doubt) != nearest_level(level + derivative_doubt);
+  return {bilinear(texture.levels()[static_cast<std::size_t>(whole)], wrap, steps.uv),
+          {whole},
+          at_jump};
 }
 
 Steps steps_at(const RayCaster& witness, const Surface& surface, double x, double y, int face) {

@@ -39,7 +39,7 @@ struct Steps {
   Eigen::Vector2d dy;
 };
 
-/// The colour by a filter (nearest, bilinear, mip_mapped, trilinear, anisotropic) and a way to wrap
+/// The colour by a filter (nearest, bilinear, mip-mapped, trilinear, anisotropic) and a way to wrap
 /// (repeat, clamp, mirror), as --filter and --wrap name them.
 Shade sample(const DeepTexture& texture, const std::string& filter, const std::string& wrap,
              const Steps& steps);
