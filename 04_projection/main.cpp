@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
                                   {"04.3", &draw_from_distances},
                                   {"04.4", &draw_in_perspective},
                                   {"04.5", &draw_looking_at_things},
+                                  {"04.6", &draw_through_a_pinhole},
                                   {"04.7", &draw_one_triangle},
                                   {"04.8", &draw_cube_three_times},
                                   {"04.9", &draw_clipping_ladder},
