@@ -258,7 +258,7 @@ class TileShading {
   using Corners = std::array<std::array<float, static_cast<std::size_t>(varying_count) + 1>, 3>;
 
   Corners corner_varyings(std::uint32_t triangle, int first) const {
-    Corners corners;
+    Corners corners{};  // a shader without varyings copies nothing into it
     for (int i = 0; i < 3; ++i) {
       const Varyings<float> value = shader_.vertex(mesh_, triangle, (first + i) % 3);
       const float* from = numbers<Shader::template Varyings, float>(value);
@@ -305,7 +305,7 @@ class TileShading {
                 std::size_t slot) {
     reserve_slots(slot + 1);
     TriangleLanes lanes_of_part;
-    Corners values;
+    Corners values{};
     for (std::size_t c = 0; c < 3; ++c) {
       const ClippedCorner& corner = *part.corner[c];
       lanes_of_part.x[c] = Ints(part.snapped[c].x);
