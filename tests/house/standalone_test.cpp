@@ -57,7 +57,7 @@ void remove_stage(const fs::path& tree, const std::string& stage) {
 
 ProcessResult succeed(const std::vector<std::string>& command, const fs::path& folder) {
   ProcessResult result =
-      run_process(command, {.folder = folder, .limit = std::chrono::seconds(550)});
+      run_process(command, {.folder = folder, .limit = std::chrono::seconds(1500)});
   EXPECT_EQ(result.exit_status, 0) << testing::PrintToString(command) << "\n"
                                    << result.out << result.err;
   return result;
