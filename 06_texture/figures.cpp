@@ -2,6 +2,7 @@
 
 #include "common/image/files.h"
 #include "common/image/operations.h"
+#include "common/mesh/read_mesh.h"
 #include "common/mesh/shapes.h"
 #include "common/projection/look_at.h"
 #include "common/projection/perspective.h"
@@ -83,18 +84,18 @@ void draw_planet(Run& run) {
   run.picture("06.2_planet", frame.color);
 }
 
-// 06.3: the wall from the side, so close that its near end is five times as large as its far end.
+// 06.3: course C's wall, seen along.
 void draw_perspective_ladder(Run& run) {
-  const Mesh wall = make_shape("wall", 1);
+  const Mesh wall = read_mesh(data_path("wall.off"));
   const Texture texture(read_image<Rgb8>(data_path("brick.png")), MipLevels::none);
   const Size size = run.size({480, 360});
-  const Transforms transforms = {.view = look_at({-1.6F, 0.3F, 0.9F}, {-0.3F, 0, 0}, {0, 1, 0}),
-                                 .projection = perspective(60, aspect(size), 0.1F, 20)};
+  const Transforms transforms = {.view = look_at({-4.6F, 0.3F, 2.6F}, {-1.6F, 0, 0}, {0, 1, 0}),
+                                 .projection = perspective(45, aspect(size), 0.1F, 20)};
+  const Eigen::Matrix4f matrix = transforms.to_clip();
   for (const NamedPerspectiveRung& rung : perspective_ladder()) {
     if (!run.draws(rung.name)) continue;
     Frame frame = make_frame(size.width, size.height);
     for (const auto& [a, b, c] : wall.triangles) {
-      const Eigen::Matrix4f matrix = transforms.to_clip();
       draw_textured_triangle(
           {to_clip(matrix, wall.positions[a]), to_clip(matrix, wall.positions[b]),
            to_clip(matrix, wall.positions[c])},
@@ -110,10 +111,10 @@ namespace {
 /// A level floor to the horizon, a picture of `size` with nothing but the texture on it.
 Image<Rgb8> draw_floor(const Sampler& sampler, Size size) {
   Mesh floor = make_shape("grid", 1);
-  for (Eigen::Vector2f& uv : floor.texture_coordinates) uv *= 40;
-  const Transforms transforms = {.model = scaling(Eigen::Vector3f::Constant(40)),
-                                 .view = look_at({0, 1, 0}, {0.3F, 0.85F, -1}, {0, 1, 0}),
-                                 .projection = perspective(60, aspect(size), 0.1F, 200)};
+  for (Eigen::Vector2f& uv : floor.texture_coordinates) uv *= 200;
+  const Transforms transforms = {.model = scaling(Eigen::Vector3f::Constant(200)),
+                                 .view = look_at({0, 1, 0}, {0.3F, 0.8F, -1}, {0, 1, 0}),
+                                 .projection = perspective(50, aspect(size), 0.1F, 1000)};
   Frame frame = make_frame(size.width, size.height);
   draw_textured_mesh({.mesh = floor,
                       .transforms = transforms,

@@ -3,8 +3,8 @@
 #include "common/engine/renderer.h"
 #include "common/lighting/turned_light.h"
 #include "common/lighting/vertex_normals.h"
-#include "common/shaders/draw_shaded.h"
 
+#include "07_shaders/draw_by_name.h"
 #include "07_shaders/shader_list.h"
 
 #include <memory>
@@ -38,6 +38,7 @@ class Prepared {
             .color = subject_.color,
             .texture = sampler(texture_),
             .normal_map = sampler(normal_map_),
+            .object_normal_map = sampler(normal_map_),
             .specular_map = sampler(specular_map_)};
   }
 
@@ -67,11 +68,8 @@ DrawFrame draw_by_exercise(const Subject& subject) {
   const auto prepared = std::make_shared<Prepared>(subject);
   return [prepared](const View& view, Frame& frame) {
     clear(frame);
-    return with_shader(shader_list, prepared->subject().shader, prepared->inputs(view),
-                       [&](const auto& shader) {
-                         return statistics(draw_shaded(prepared->mesh(), view.transforms,
-                                                       prepared->subject().cull, shader, frame));
-                       });
+    return statistics(draw_by_name(prepared->subject().shader, prepared->inputs(view),
+                                   prepared->subject().cull, frame));
   };
 }
 

@@ -23,7 +23,8 @@ struct ShaderInputs {
   Material material = {};
   std::optional<Color> color = {};  ///< of a surface that has no texture; not given: the mesh's own
   std::optional<Sampler> texture = {};
-  std::optional<Sampler> normal_map = {};
+  std::optional<Sampler> normal_map = {};         ///< in tangent space
+  std::optional<Sampler> object_normal_map = {};  ///< in object space
   std::optional<Sampler> specular_map = {};
 };
 

@@ -26,7 +26,7 @@ struct ObjectSpaceNormalMap {
   Eigen::Matrix3f to_world;
 
   explicit ObjectSpaceNormalMap(const ShaderInputs& inputs)
-      : map(required(inputs.normal_map, "--normal-map")),
+      : map(required(inputs.object_normal_map, "--normal-map")),
         to_world(normal_matrix(inputs.transforms.model)) {}
 
   template <class Point>
