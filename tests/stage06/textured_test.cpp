@@ -68,26 +68,6 @@ int expect_exact_texels(const ClipTriangle& corners, const Uvs& uv) {
   return compared;
 }
 
-TEST(stage06_draw_textured_triangle, exact_rung_agrees_with_rays) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> ndc(-0.9F, 0.9F);
-  std::uniform_real_distribution<float> log_w(-1, 1);
-  std::uniform_real_distribution<float> part(0, 1);
-  int compared = 0;
-  for (int i = 0; i < 300; ++i) {
-    ClipTriangle corners;
-    Uvs uv;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float w = std::pow(10.0F, log_w(random));
-      corners[k] = {ndc(random) * w, ndc(random) * w, 0, w};
-      uv[k] = {part(random), part(random)};
-    }
-    // Snapping a corner by 1/512 pixel moves the texture by that much of a step.
-    compared += expect_exact_texels(corners, uv);
-  }
-  EXPECT_GT(compared, 50000);
-}
-
 TEST(stage06_draw_textured_triangle, what_is_behind_the_eye_is_cut_and_the_rest_is_right) {
   const Uvs uv = {Eigen::Vector2f(0.1F, 0.1F), Eigen::Vector2f(0.9F, 0.1F),
                   Eigen::Vector2f(0.5F, 0.9F)};
@@ -119,52 +99,6 @@ TEST(stage06_draw_textured_triangle, nearer_wins_in_any_order) {
 
 // Along the diagonal of a square seen in perspective, affine interpolation breaks: two triangles,
 // two textures. The exact rung sees no diagonal.
-TEST(stage06_draw_textured_triangle, only_affine_rungs_know_of_the_diagonal) {
-  const Texture texture(map_of_itself(256), MipLevels::none);
-  const Mesh wall = make_shape("wall", 1);
-  const Transforms transforms = {.view = look_at({1.6F, 0.2F, 1}, {0.2F, 0, 0}, {0, 1, 0}),
-                                 .projection = perspective(60, 1, 0.1F, 20)};
-  const auto draw = [&](const Mesh& mesh, PerspectiveRung rung) {
-    Frame frame = make_frame(side, side);
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const auto clip = [&](std::uint32_t vertex) {
-        return to_clip(transforms.to_clip(), mesh.positions[vertex]);
-      };
-      const auto& uv = mesh.texture_coordinates;
-      draw_textured_triangle({clip(a), clip(b), clip(c)}, {uv[a], uv[b], uv[c]},
-                             {.texture = &texture, .filter = Filter::bilinear}, rung, frame);
-    }
-    return frame.color;
-  };
-  Mesh other_diagonal = wall;  // the same square, cut the other way
-  const auto find = [&](float x, float y) {
-    for (std::uint32_t i = 0; i < wall.positions.size(); ++i) {
-      if (wall.positions[i].x() == x && wall.positions[i].y() == y) return i;
-    }
-    throw std::runtime_error("the wall has no such corner");
-  };
-  const std::uint32_t sw = find(-1, -1);
-  const std::uint32_t se = find(1, -1);
-  const std::uint32_t ne = find(1, 1);
-  const std::uint32_t nw = find(-1, 1);
-  const bool rising = (wall.triangles[0] == Mesh::Triangle{sw, se, ne} ||
-                       wall.triangles[0] == Mesh::Triangle{se, ne, sw} ||
-                       wall.triangles[0] == Mesh::Triangle{ne, sw, se});
-  other_diagonal.triangles = rising ? std::vector<Mesh::Triangle>{{sw, se, nw}, {se, ne, nw}}
-                                    : std::vector<Mesh::Triangle>{{sw, se, ne}, {sw, ne, nw}};
-  const auto largest_difference = [&](PerspectiveRung rung) {
-    const Image<Rgb8> a = draw(wall, rung);
-    const Image<Rgb8> b = draw(other_diagonal, rung);
-    int largest = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-      if (a.pixels()[i].b != b.pixels()[i].b) continue;  // on the border, by snapping
-      largest = std::max(largest, std::abs(a.pixels()[i].r - b.pixels()[i].r));
-    }
-    return largest;
-  };
-  EXPECT_LE(largest_difference(&perspective_weights), 2);
-  EXPECT_GT(largest_difference(&affine_weights), 40);
-}
 
 Sampler constant(const Texture& texture) {
   return {.texture = &texture};
