@@ -32,7 +32,8 @@ class InputError : public std::runtime_error {
 /// What stands in a starter where an answer should be: `throw NotWritten("01.6", from, to);`.
 class NotWritten : public std::logic_error {
  public:
-  /// `given` are the parameters of the function, which a body that is not written would leave unused.
+  /// `given` are the parameters of the function, which a body that is not written would leave
+  /// unused.
   template <class... Given>
   explicit NotWritten(const std::string& exercise, const Given&...)
       : std::logic_error("exercise " + exercise + " is not written yet"), exercise_(exercise) {}

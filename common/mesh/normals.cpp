@@ -16,8 +16,8 @@ float angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 Eigen::Vector3f face_normal(const Mesh& mesh, std::uint32_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   const Eigen::Vector3d origin = mesh.positions[a].cast<double>();
-  const Eigen::Vector3d normal = (mesh.positions[b].cast<double>() - origin)
-                                     .cross(mesh.positions[c].cast<double>() - origin);
+  const Eigen::Vector3d normal =
+      (mesh.positions[b].cast<double>() - origin).cross(mesh.positions[c].cast<double>() - origin);
   const double length = normal.norm();
   if (!(length > 0)) return Eigen::Vector3f::Zero();
   return (normal / length).cast<float>();
