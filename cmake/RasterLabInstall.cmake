@@ -14,7 +14,7 @@ endif()
 install(TARGETS common ${libraries} EXPORT RasterLabTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}/rasterlab")
 install(EXPORT RasterLabTargets NAMESPACE RasterLab:: DESTINATION "${package}")
 install(
-  DIRECTORY "${PROJECT_SOURCE_DIR}/common"
+  DIRECTORY "${PROJECT_SOURCE_DIR}/common" "${PROJECT_BINARY_DIR}/generated/common"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/rasterlab"
   FILES_MATCHING
   PATTERN "*.h"

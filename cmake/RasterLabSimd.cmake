@@ -10,15 +10,23 @@ endif()
 # A type's layout must not depend on the instruction set its file is compiled for.
 target_compile_definitions(rasterlab_simd_usage INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 
-# name, then its compiler flags; the flags are what makes Highway choose that target. Narrowest first.
-set(RASTERLAB_SIMD_TARGETS scalar)
+# The compiler flags are what makes Highway choose a target.
 set(RASTERLAB_SIMD_FLAGS_scalar "-DHWY_COMPILE_ONLY_SCALAR")
+set(every_target scalar)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  list(APPEND RASTERLAB_SIMD_TARGETS ssse3 sse4 avx2 avx512)
+  list(APPEND every_target ssse3 sse4 avx2 avx512)
   set(RASTERLAB_SIMD_FLAGS_ssse3 -mssse3)
   set(RASTERLAB_SIMD_FLAGS_sse4 ${RASTERLAB_SIMD_FLAGS_ssse3} -msse4.2 -mpclmul -maes)
   set(RASTERLAB_SIMD_FLAGS_avx2 ${RASTERLAB_SIMD_FLAGS_sse4} -mavx2 -mbmi -mbmi2 -mfma -mf16c -mlzcnt)
   set(RASTERLAB_SIMD_FLAGS_avx512 ${RASTERLAB_SIMD_FLAGS_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw)
+endif()
+set(RASTERLAB_SIMD_TARGETS "${every_target}" CACHE STRING "Instruction sets to compile for, narrowest first; scalar must be one")
+
+# The same list for C++. An installed package brings the header it was built with.
+if(NOT TARGET RasterLab::common)
+  list(TRANSFORM RASTERLAB_SIMD_TARGETS REPLACE "(.+)" "DO(\\1)" OUTPUT_VARIABLE each_target)
+  list(JOIN each_target " " RASTERLAB_EACH_SIMD_TARGET)
+  configure_file(common/engine/compiled_simd_targets.h.in generated/common/engine/compiled_simd_targets.h @ONLY)
 endif()
 
 # GNU ld, also where CMake found another linker beside clang: lld cannot take groups apart.
@@ -44,7 +52,7 @@ function(rasterlab_add_simd_sources target)
     target_link_libraries(${objects} PRIVATE rasterlab_simd_usage)
     if(TARGET rasterlab_options)
       target_link_libraries(${objects} PRIVATE rasterlab_options)
-      target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}")
+      target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/generated")
     endif()
     target_compile_definitions(${objects} PRIVATE RASTERLAB_SIMD=simd_${simd})
     if(NOT simd STREQUAL scalar)

@@ -1,5 +1,6 @@
 #include "common/engine/renderer.h"
 
+#include "common/engine/compiled_simd_targets.h"
 #include "common/engine/kernels.h"
 #include "common/image/check.h"
 
@@ -20,31 +21,23 @@
 namespace rasterlab {
 
 #define RASTERLAB_DECLARE_KERNELS(simd) \
-  namespace simd {                      \
-  extern const EngineKernels kernels;   \
+  namespace simd_##simd {               \
+    extern const EngineKernels kernels; \
   }
-RASTERLAB_DECLARE_KERNELS(simd_scalar)
-RASTERLAB_DECLARE_KERNELS(simd_ssse3)
-RASTERLAB_DECLARE_KERNELS(simd_sse4)
-RASTERLAB_DECLARE_KERNELS(simd_avx2)
-RASTERLAB_DECLARE_KERNELS(simd_avx512)
+RASTERLAB_EACH_SIMD_TARGET(RASTERLAB_DECLARE_KERNELS)
+#undef RASTERLAB_DECLARE_KERNELS
 
 namespace {
 
 const EngineKernels& kernels_for(SimdTarget target) {
   switch (target) {
-#if defined(__x86_64__)
-    case SimdTarget::ssse3:
-      return simd_ssse3::kernels;
-    case SimdTarget::sse4:
-      return simd_sse4::kernels;
-    case SimdTarget::avx2:
-      return simd_avx2::kernels;
-    case SimdTarget::avx512:
-      return simd_avx512::kernels;
-#endif
+#define RASTERLAB_CASE(simd) \
+  case SimdTarget::simd:     \
+    return simd_##simd::kernels;
+    RASTERLAB_EACH_SIMD_TARGET(RASTERLAB_CASE)
+#undef RASTERLAB_CASE
     default:
-      return simd_scalar::kernels;
+      throw InputError("this build of the engine is not for " + std::string(name_of(target)));
   }
 }
 

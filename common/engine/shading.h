@@ -14,6 +14,7 @@
 //   … shading(my_shader) …
 #pragma once
 
+#include "common/engine/compiled_simd_targets.h"
 #include "common/engine/kernels.h"
 
 #include <array>
@@ -26,39 +27,24 @@ struct Shading {
   std::array<const ShadingKernels*, simd_target_count> kernels = {};
 };
 
-namespace simd_scalar {
-template <class Shader>
-const ShadingKernels& shading_kernels();
-}
-namespace simd_ssse3 {
-template <class Shader>
-const ShadingKernels& shading_kernels();
-}
-namespace simd_sse4 {
-template <class Shader>
-const ShadingKernels& shading_kernels();
-}
-namespace simd_avx2 {
-template <class Shader>
-const ShadingKernels& shading_kernels();
-}
-namespace simd_avx512 {
-template <class Shader>
-const ShadingKernels& shading_kernels();
-}
+#define RASTERLAB_DECLARE_SHADING(simd)      \
+  namespace simd_##simd {                    \
+    template <class Shader>                  \
+    const ShadingKernels& shading_kernels(); \
+  }
+RASTERLAB_EACH_SIMD_TARGET(RASTERLAB_DECLARE_SHADING)
+#undef RASTERLAB_DECLARE_SHADING
 
 /// The shader for a draw call. Defined by RASTERLAB_SHADER for the type.
 template <class Shader>
 Shading shading(const Shader& shader) {
-#if defined(__x86_64__)
-  return {&shader,
-          {&simd_scalar::shading_kernels<Shader>(), &simd_ssse3::shading_kernels<Shader>(),
-           &simd_sse4::shading_kernels<Shader>(), &simd_avx2::shading_kernels<Shader>(),
-           &simd_avx512::shading_kernels<Shader>()}};
-#else
-  const ShadingKernels* only = &simd_scalar::shading_kernels<Shader>();
-  return {&shader, {only, only, only, only, only}};
-#endif
+  Shading compiled = {&shader, {}};
+#define RASTERLAB_TAKE_SHADING(simd)                             \
+  compiled.kernels[static_cast<std::size_t>(SimdTarget::simd)] = \
+      &simd_##simd::shading_kernels<Shader>();
+  RASTERLAB_EACH_SIMD_TARGET(RASTERLAB_TAKE_SHADING)
+#undef RASTERLAB_TAKE_SHADING
+  return compiled;
 }
 
 }  // namespace rasterlab

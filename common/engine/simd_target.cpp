@@ -1,5 +1,6 @@
 #include "common/engine/simd_target.h"
 
+#include "common/engine/compiled_simd_targets.h"
 #include "common/image/check.h"
 
 #include <hwy/highway.h>
@@ -11,13 +12,21 @@ namespace {
 struct Known {
   std::string_view name;
   std::int64_t highway;
+  bool compiled = false;
 };
 
-constexpr std::array<Known, simd_target_count> known_targets = {{{"scalar", HWY_SCALAR},
-                                                                 {"ssse3", HWY_SSSE3},
-                                                                 {"sse4", HWY_SSE4},
-                                                                 {"avx2", HWY_AVX2},
-                                                                 {"avx512", HWY_AVX3}}};
+constexpr std::array<Known, simd_target_count> known_targets = [] {
+  std::array<Known, simd_target_count> known = {{{"scalar", HWY_SCALAR},
+                                                 {"ssse3", HWY_SSSE3},
+                                                 {"sse4", HWY_SSE4},
+                                                 {"avx2", HWY_AVX2},
+                                                 {"avx512", HWY_AVX3}}};
+#define RASTERLAB_IS_COMPILED(simd) \
+  known[static_cast<std::size_t>(SimdTarget::simd)].compiled = true;
+  RASTERLAB_EACH_SIMD_TARGET(RASTERLAB_IS_COMPILED)
+#undef RASTERLAB_IS_COMPILED
+  return known;
+}();
 
 }  // namespace
 
@@ -29,7 +38,8 @@ std::vector<SimdTarget> supported_simd_targets() {
   std::vector<SimdTarget> supported = {SimdTarget::scalar};
   const std::int64_t here = hwy::SupportedTargets();
   for (std::size_t i = 1; i < known_targets.size(); ++i) {
-    if ((here & known_targets[i].highway) != 0) supported.push_back(static_cast<SimdTarget>(i));
+    if (known_targets[i].compiled && (here & known_targets[i].highway) != 0)
+      supported.push_back(static_cast<SimdTarget>(i));
   }
   return supported;
 }

@@ -18,10 +18,10 @@ inline constexpr int simd_target_count = 5;
 std::string_view name_of(SimdTarget target);
 
 /// The target of that name. Throws InputError, naming the targets there are, when none has it or
-/// this machine can't run it.
+/// this build or machine can't run it.
 SimdTarget simd_target(std::string_view name);
 
-/// What this machine can run, narrowest first; never empty.
+/// What this build is for and this machine can run, narrowest first; never empty.
 std::vector<SimdTarget> supported_simd_targets();
 
 /// The widest of them.

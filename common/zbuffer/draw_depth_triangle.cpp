@@ -8,7 +8,9 @@ namespace rasterlab {
 void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,
                          const std::array<DepthCorner, 3>& corners) {
   // <solution>
-  const auto& [a, b, c] = corners;
+  const DepthCorner& a = corners[0];
+  const DepthCorner& b = corners[1];
+  const DepthCorner& c = corners[2];
   rasterize_wide_triangle({a.position, b.position, c.position}, image.width(), image.height(),
                           [&](int x, int y, const Eigen::Vector3d& weights) {
                             const double z = weights[0] * a.z + weights[1] * b.z + weights[2] * c.z;

@@ -3,6 +3,7 @@
 #include "common/image/files.h"
 
 #include "tests/cli/command_line.h"
+#include "tests/support/places.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -152,7 +153,7 @@ TEST(cli_bad_input, lines_of_primitives_are_named_by_number) {
 }
 
 TEST(cli_bad_input, assimp_models_made_to_break_readers) {
-  const fs::path folder = fs::path(RASTERLAB_TESTMODELS) / "invalid";
+  const fs::path folder = test_models_folder() / "invalid";
   if (!fs::exists(folder))
     GTEST_SKIP() << "NOT CHECKED: " << folder << " is missing (Debian: assimp-testmodels)";
   for (const auto& entry : fs::directory_iterator(folder)) {

@@ -2,6 +2,8 @@
 
 #include "common/image/files.h"
 
+#include "tests/support/places.h"
+
 #include <algorithm>
 #include <fstream>
 #include <random>
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> stages() {
   std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(RASTERLAB_SOURCE)) {
+  for (const auto& entry : fs::directory_iterator(source_folder())) {
     if (fs::exists(entry.path() / "exercises.json")) found.push_back(entry.path().filename());
   }
   std::sort(found.begin(), found.end());

@@ -3,6 +3,7 @@
 
 #include "tests/cli/command_line.h"
 #include "tests/support/pattern.h"
+#include "tests/support/places.h"
 
 #include <regex>
 #include <set>
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 nlohmann::json exercises(const std::string& stage) {
-  const fs::path manifest = fs::path(RASTERLAB_SOURCE) / stage / "exercises.json";
+  const fs::path manifest = source_folder() / stage / "exercises.json";
   return nlohmann::json::parse(read_file(manifest)).at("exercises");
 }
 

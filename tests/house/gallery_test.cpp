@@ -1,6 +1,7 @@
 // The gallery page: what tools/make_gallery.py puts into it, and how it behaves in a real browser.
 #include "common/image/files.h"
 
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/scratch.h"
 
@@ -53,7 +54,7 @@ ProcessResult make_small_gallery(const fs::path& folder) {
                    return Rgb8{frame, x, x};
                  });
   }
-  return run_process({"python3", RASTERLAB_SOURCE "/tools/make_gallery.py", "--stages",
+  return run_process({"python3", (source_folder() / "tools/make_gallery.py").string(), "--stages",
                       folder.string(), "--out", (folder / "out/index.html").string()});
 }
 
@@ -83,9 +84,9 @@ TEST(house_gallery, stages_not_yet_run_are_listed_as_such) {
   const ScratchFolder scratch;
   write_text(scratch / "01_lines/exercises.json",
              R"({"exercises": [{"id": "01.1", "title": "t", "writes": ["01.1_a.png"]}]})");
-  const ProcessResult result =
-      run_process({"python3", RASTERLAB_SOURCE "/tools/make_gallery.py", "-q", "--stages",
-                   scratch.path().string(), "--out", (scratch / "new/page.html").string()});
+  const ProcessResult result = run_process(
+      {"python3", (source_folder() / "tools/make_gallery.py").string(), "-q", "--stages",
+       scratch.path().string(), "--out", (scratch / "new/page.html").string()});
   EXPECT_EQ(result.exit_status, 0) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(read_text(scratch / "new/page.html"),
@@ -95,9 +96,10 @@ TEST(house_gallery, stages_not_yet_run_are_listed_as_such) {
 TEST(house_gallery, bad_input_is_one_line) {
   const ScratchFolder scratch;
   const std::string page = (scratch / "index.html").string();
-  const std::vector<std::string> command{"python3",  RASTERLAB_SOURCE "/tools/make_gallery.py",
-                                         "--stages", scratch.path().string(),
-                                         "--out",    page};
+  const std::vector<std::string> command{
+      "python3",  (source_folder() / "tools/make_gallery.py").string(),
+      "--stages", scratch.path().string(),
+      "--out",    page};
   for (const std::string& manifest :
        {std::string(), std::string("{"), std::string(R"({"exercises": [{}]})")}) {
     if (!manifest.empty()) write_text(scratch / "01_lines/exercises.json", manifest);
@@ -116,7 +118,7 @@ TEST(house_gallery, zoom_readout_and_slider_work_in_a_browser) {
   ASSERT_EQ(make_small_gallery(scratch.path()).exit_status, 0);
   const fs::path page = scratch / "out/index.html";
   std::ofstream(page, std::ios::app)
-      << "<script>" << read_text(RASTERLAB_SOURCE "/tests/house/gallery_selftest.js")
+      << "<script>" << read_text((source_folder() / "tests/house/gallery_selftest.js").string())
       << "</script>";
   const ProcessResult result = run_process(
       {chromium, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",

@@ -3,6 +3,7 @@
 #include "common/image/files.h"
 
 #include "tests/support/pattern.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace rasterlab::house {
 namespace fs = std::filesystem;
 
 fs::path root() {
-  return RASTERLAB_SOURCE;
+  return source_folder();
 }
 
 std::vector<std::string> stages() {
@@ -33,7 +34,7 @@ const std::vector<std::string>& test_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> found;
     const ProcessResult listing =
-        run_process({"ctest", "--test-dir", RASTERLAB_BINARY, "--show-only=json-v1"});
+        run_process({"ctest", "--test-dir", binary_folder().string(), "--show-only=json-v1"});
     const nlohmann::json tests = nlohmann::json::parse(listing.out);
     for (const nlohmann::json& test : tests.at("tests")) found.push_back(test.at("name"));
     return found;

@@ -1,6 +1,7 @@
 // A stage never needs a later one: each builds and runs in a tree from which the folders of later
 // stages and their topics in common have been removed, as a hand-out removes them.
 #include "tests/house/repository.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include <fstream>
@@ -66,7 +67,7 @@ ProcessResult succeed(const std::vector<std::string>& command, const fs::path& f
 // Disabled until it has been seen to pass for all seven stages; run it by name with
 // --gtest_also_run_disabled_tests.
 TEST(house_standalone, DISABLED_every_stage_builds_and_runs_without_the_later_ones) {
-  const fs::path place = fs::path(RASTERLAB_BINARY) / "standalone";
+  const fs::path place = binary_folder() / "standalone";
   const fs::path tree = place / "tree";
   const fs::path build = place / "build";
   copy_tree(tree);

@@ -1,6 +1,7 @@
 #include "common/mesh/shapes.h"
 
 #include "tests/mesh/read_helpers.h"
+#include "tests/support/places.h"
 #include "tests/support/scratch.h"
 
 #include <cstdlib>
@@ -48,12 +49,12 @@ std::string message_for(const fs::path& file) {
 }
 
 fs::path zoo() {
-  return RASTERLAB_TESTMODELS;
+  return test_models_folder();
 }
 
 fs::path shared_data() {
   const char* const named = std::getenv("RASTERLAB_SHARED_DATA");
-  return named != nullptr ? fs::path(named) : fs::path(RASTERLAB_SOURCE) / ".." / "shared" / "data";
+  return named != nullptr ? fs::path(named) : source_folder() / ".." / "shared" / "data";
 }
 
 std::vector<fs::path> zoo_files() {
@@ -127,7 +128,7 @@ float six_volumes(const Mesh& mesh) {
 }
 
 TEST(stage01_read_mesh, coloured_cube) {
-  const Mesh cube = read_mesh(fs::path(RASTERLAB_SOURCE) / "data/cube.off");
+  const Mesh cube = read_mesh(source_folder() / "data/cube.off");
   expect_sane(cube);
   ASSERT_EQ(cube.positions.size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) {
@@ -139,7 +140,7 @@ TEST(stage01_read_mesh, coloured_cube) {
 }
 
 TEST(stage01_read_mesh, textured_wall) {
-  const Mesh wall = read_mesh(fs::path(RASTERLAB_SOURCE) / "data/wall.off");
+  const Mesh wall = read_mesh(source_folder() / "data/wall.off");
   expect_sane(wall);
   ASSERT_EQ(wall.texture_coordinates.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -2,6 +2,8 @@
 
 #include "common/mesh/read_mesh.h"
 
+#include "tests/support/places.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -80,7 +82,7 @@ bool is_mesh_file(const fs::path& path) {
 std::vector<GeometryCase> foreign_cases() {
   std::vector<fs::path> files{"/usr/share/glmark2/models/bunny.obj"};
   for (const char* folder : {"OBJ", "OFF", "PLY", "STL"}) {
-    const fs::path path = fs::path(RASTERLAB_TESTMODELS) / folder;
+    const fs::path path = test_models_folder() / folder;
     if (!fs::exists(path)) continue;
     for (const auto& entry : fs::directory_iterator(path)) {
       if (is_mesh_file(entry.path())) files.push_back(entry.path());

@@ -5,6 +5,7 @@
 #include "tests/oracle/geometry_cases.h"
 #include "tests/oracle/shading.h"
 #include "tests/oracle/texturing.h"
+#include "tests/support/places.h"
 #include "tests/support/scratch.h"
 
 #include <random>
@@ -115,7 +116,7 @@ TEST(stage06_witness, coordinates_outside_wrap_the_same) {
 
 /// The textured models beside the repository, which are no part of it.
 TEST(stage06_witness, real_textured_models_are_the_same) {
-  const fs::path folder = fs::path(RASTERLAB_SOURCE).parent_path() / "shared/data";
+  const fs::path folder = source_folder().parent_path() / "shared/data";
   if (!fs::exists(folder / "spot")) {
     GTEST_SKIP() << "NOT COMPARED: the textured models are not in " << folder;
   }

@@ -2,6 +2,8 @@
 
 #include "common/image/files.h"
 
+#include "tests/support/places.h"
+
 #include <gtest/gtest.h>
 
 namespace rasterlab {
@@ -37,7 +39,7 @@ std::filesystem::path failure_folder() {
       test == nullptr ? "no_test" : std::string(test->test_suite_name()) + "." + test->name();
   std::string flat = name;
   std::replace(flat.begin(), flat.end(), '/', '.');  // parameterised tests
-  return std::filesystem::path(RASTERLAB_BINARY) / "failures" / flat;
+  return binary_folder() / "failures" / flat;
 }
 
 void expect_image_matches(const AnyImage& actual, const AnyImage& expected,

@@ -11,7 +11,7 @@ namespace rasterlab {
 /// A non-fatal failure of the running test unless `actual` is `expected` within `tolerance`. The
 /// failure says how many pixels differ, the first of them and the kind of wrong; `actual`,
 /// `expected` and the amplified difference stay in
-/// RASTERLAB_BINARY/failures/SUITE.TEST/NAME_actual.png, … `name` tells several pictures of one
+/// the build folder's failures/SUITE.TEST/NAME_actual.png, … `name` tells several pictures of one
 /// test apart.
 void expect_image_matches(const AnyImage& actual, const AnyImage& expected,
                           const Tolerance& tolerance = {}, const std::string& name = "image",

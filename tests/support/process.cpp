@@ -1,5 +1,7 @@
 #include "tests/support/process.h"
 
+#include "tests/support/places.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -113,7 +115,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
 }
 
 std::string program(const std::string& name) {
-  return std::string(RASTERLAB_PROGRAMS) + "/" + name;
+  return (programs_folder() / name).string();
 }
 
 }  // namespace rasterlab
