@@ -452,7 +452,7 @@ class TileShading {
   static constexpr int most_mixed = 3;
 
   static void replace(Truth here, const Point<Number>& by, Point<Number>& point) {
-    const auto replace_numbers = [here](const Varyings<Number>& from, Varyings<Number>& to) {
+    const auto replace_numbers = [&](const Varyings<Number>& from, Varyings<Number>& to) {
       if constexpr (varying_count > 0) {
         for (int i = 0; i < varying_count; ++i) {
           Number& number = numbers<Shader::template Varyings, Number>(to)[i];

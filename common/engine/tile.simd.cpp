@@ -364,9 +364,11 @@ class LargeDrawing {
              (to_number(e1) * Number(k1_) + to_number(e2) * Number(k2_));
     };
     const auto covered_in = [&](std::size_t g) {
-      const auto [gx, gy] = first_of(g);
+      const auto first = first_of(g);
+      const int group_x = x + first[0];
+      const int group_y = y + first[1];
       const auto outside = [&](const TileEdge& e, Ints offset) {
-        return Ints(e.divided + e.test_x * (x + gx) + e.test_y * (y + gy)) + offset;
+        return Ints(e.divided + e.test_x * group_x + e.test_y * group_y) + offset;
       };
       return (outside(edge_[0], coverage_[0]) | outside(edge_[1], coverage_[1]) |
               outside(edge_[2], coverage_[2])) >= Ints(0);
