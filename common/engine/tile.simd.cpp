@@ -365,8 +365,8 @@ class LargeDrawing {
     };
     const auto covered_in = [&](std::size_t g) {
       const auto first = first_of(g);
-      const int group_x = x + first[0];
-      const int group_y = y + first[1];
+      const int group_x = x + first.x;
+      const int group_y = y + first.y;
       const auto outside = [&](const TileEdge& e, Ints offset) {
         return Ints(e.divided + e.test_x * group_x + e.test_y * group_y) + offset;
       };
