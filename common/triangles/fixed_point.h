@@ -58,15 +58,20 @@ bool within(const std::array<Eigen::Matrix<Scalar, 2, 1>, 3>& corners, double li
                    " pixels");
 }
 
-/// Corners in pixels to the grid. Throws CheckError when a coordinate is beyond ±limit or not a
-/// number.
+/// Corners in pixels to the grid; for coordinates within ±2^40.
+template <class Scalar>
+SnappedTriangle snap_unchecked(const std::array<Eigen::Matrix<Scalar, 2, 1>, 3>& corners) {
+  SnappedTriangle snapped;
+  for (std::size_t i = 0; i < 3; ++i) snapped[i] = {snap(corners[i].x()), snap(corners[i].y())};
+  return snapped;
+}
+
+/// The same. Throws CheckError when a coordinate is beyond ±limit or not a number.
 template <class Scalar>
 SnappedTriangle snap(const std::array<Eigen::Matrix<Scalar, 2, 1>, 3>& corners,
                      double limit = max_coordinate) {
   if (!within(corners, limit)) throw_beyond(limit);
-  SnappedTriangle snapped;
-  for (std::size_t i = 0; i < 3; ++i) snapped[i] = {snap(corners[i].x()), snap(corners[i].y())};
-  return snapped;
+  return snap_unchecked(corners);
 }
 
 }  // namespace rasterlab

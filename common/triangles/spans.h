@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 namespace rasterlab {
 
@@ -20,37 +19,66 @@ inline int first_row(std::int64_t y, int height) {
   return static_cast<int>(std::clamp<std::int64_t>((y + subpixels / 2 - 1) >> 8, 0, height));
 }
 
-/// A side of a triangle, asked row by row for the first pixel whose centre is not left of it; exact
-/// for corners within ±32768 pixels.
+/// A corner as one integer, y above x, so that corners sort from the top down without branches,
+/// which no processor could predict. For coordinates below 2^31.
+inline std::int64_t pack(const SnappedPoint& corner) {
+  return corner.y() * (std::int64_t{1} << 32) + corner.x();
+}
+inline void sort_two(std::int64_t& a, std::int64_t& b) {
+  const std::int64_t swap = b < a ? a ^ b : 0;
+  a ^= swap;
+  b ^= swap;
+}
+inline std::int64_t packed_x(std::int64_t corner) {
+  return static_cast<std::int32_t>(corner);
+}
+inline std::int64_t packed_y(std::int64_t corner) {
+  return (corner - packed_x(corner)) >> 32;
+}
+
+/// A side of a triangle, followed from row to row: where it is, to the first pixel whose centre is
+/// not left of it. Exact for corners within ±32768 pixels.
 ///
 /// That pixel is ⌈x − ½⌉, where x is a fraction with a denominator of at most 2^24 units of 1/256
 /// pixel. So x − ½, unless whole, is at least 2^-32 above the whole number below it, and may be
-/// lowered by less than that before it is rounded up. Computed in doubles, values stay below 2^17
-/// and the seven roundings below 2^-37 each, together less than 2^-34: lowering by 2^-34 makes the
-/// error negative and keeps it under 2^-33.
+/// lowered by less than that before it is rounded up: by 2^-34 here, which leaves room for errors
+/// below 2^-34. Where a walk starts, x is computed in doubles with five roundings, each below 2^-37
+/// as x and its parts stay below 2^16; a step is a double's rounding of the slope, below 2^-37 over
+/// any walk, cut to a multiple of 2^-44, below 2^-36 over 256 rows.
 class TriangleSide {
  public:
-  /// `a` is above `b`, and `row` is the first row asked for: between them, or none is asked for.
-  TriangleSide(const SnappedPoint& a, const SnappedPoint& b, int row) {
-    constexpr double pixel = 1.0 / subpixels;
-    slope_ = static_cast<double>(b.x() - a.x()) /
-             static_cast<double>(std::max<std::int64_t>(b.y() - a.y(), 1));
-    const std::int64_t down = row * subpixels + subpixels / 2 - a.y();
-    // ⌈x − ½⌉ = ⌊x + ½⌋ once x has been lowered; offset, so that cutting to an integer is rounding
-    // down.
-    constexpr double rounding = offset + 0.5 - 0x1p-34;
-    x_ = (static_cast<double>(a.x()) * pixel + static_cast<double>(down) * pixel * slope_) +
-         rounding;
+  /// Longer walks would not be exact.
+  static constexpr int longest_walk = 256;
+
+  /// From packed corner `a` down to `b`.
+  TriangleSide(std::int64_t a, std::int64_t b)
+      : x_(static_cast<double>(packed_x(a))),
+        y_(packed_y(a)),
+        slope_(static_cast<double>(packed_x(b) - packed_x(a)) /
+               static_cast<double>(std::max<std::int64_t>(packed_y(b) - packed_y(a), 1))) {}
+
+  /// The side in a row whose centre is between its ends.
+  std::int64_t at_row(int row) const {
+    const std::int64_t down = row * subpixels + subpixels / 2 - y_;
+    const double x = x_ + static_cast<double>(down) * slope_;
+    // ⌈x − ½⌉ = ⌊x + ½⌋ once x has been lowered.
+    return static_cast<std::int64_t>(x * (one / subpixels) + (0.5 - 0x1p-34) * one);
   }
 
-  /// `rows` below the first.
-  int first_pixel(int rows) const { return static_cast<int>(x_ + rows * slope_) - offset; }
+  /// From one row to the next. A side that is flatter than the clamp has no next row.
+  std::int64_t step() const {
+    return static_cast<std::int64_t>(std::clamp(slope_, -0x1p17, 0x1p17) * one);
+  }
+
+  static int pixel(std::int64_t position) { return static_cast<int>(position >> fraction_bits); }
 
  private:
-  static constexpr int offset = 1 << 16;
+  static constexpr int fraction_bits = 44;
+  static constexpr double one = 0x1p44;
 
-  double slope_ = 0;  ///< in pixels to the right per row
-  double x_ = 0;
+  double x_;
+  std::int64_t y_;
+  double slope_;  ///< to the right per row, in pixels
 };
 
 /// Calls `visit(y, begin, end)` for every row of a width × height image in which the triangle
@@ -58,27 +86,37 @@ class TriangleSide {
 /// corners within ±32768 pixels.
 template <class Visit>
 void for_each_span(const SnappedTriangle& corners, int width, int height, Visit&& visit) {
-  const SnappedPoint* top = &corners[0];
-  const SnappedPoint* middle = &corners[1];
-  const SnappedPoint* bottom = &corners[2];
-  if (middle->y() < top->y()) std::swap(middle, top);
-  if (bottom->y() < middle->y()) std::swap(bottom, middle);
-  if (middle->y() < top->y()) std::swap(middle, top);
-  const int first = first_row(top->y(), height);
-  const int turn = first_row(middle->y(), height);
-  const int last = first_row(bottom->y(), height);
-  const TriangleSide whole(*top, *bottom, first);
-  const auto visit_rows = [&](const TriangleSide& side, int from, int to) {
-    for (int y = from; y < to; ++y) {
-      const int a = whole.first_pixel(y - first);
-      const int b = side.first_pixel(y - from);
-      const int begin = std::max(std::min(a, b), 0);
-      const int end = std::min(std::max(a, b), width);
+  std::int64_t top = pack(corners[0]);
+  std::int64_t middle = pack(corners[1]);
+  std::int64_t bottom = pack(corners[2]);
+  sort_two(top, middle);
+  sort_two(middle, bottom);
+  sort_two(top, middle);
+  const int turn = first_row(packed_y(middle), height);
+  const int last = first_row(packed_y(bottom), height);
+  const TriangleSide whole(top, bottom);
+  const TriangleSide upper(top, middle);
+  const TriangleSide lower(middle, bottom);
+  const auto along = [top](std::int64_t corner) {
+    return SnappedPoint(packed_x(corner) - packed_x(top), packed_y(corner) - packed_y(top));
+  };
+  const bool middle_is_left =
+      along(middle).x() * along(bottom).y() < along(bottom).x() * along(middle).y();
+  for (int y = first_row(packed_y(top), height); y < last;) {
+    const TriangleSide& half = y < turn ? upper : lower;
+    const int stop = std::min(y < turn ? turn : last, y + TriangleSide::longest_walk);
+    const TriangleSide& left_side = middle_is_left ? half : whole;
+    const TriangleSide& right_side = middle_is_left ? whole : half;
+    const std::int64_t left_step = left_side.step();
+    const std::int64_t right_step = right_side.step();
+    std::int64_t left = left_side.at_row(y);
+    std::int64_t right = right_side.at_row(y);
+    for (; y < stop; ++y, left += left_step, right += right_step) {
+      const int begin = std::max(TriangleSide::pixel(left), 0);
+      const int end = std::min(TriangleSide::pixel(right), width);
       if (begin < end) visit(y, begin, end);
     }
-  };
-  visit_rows(TriangleSide(*top, *middle, first), first, turn);
-  visit_rows(TriangleSide(*middle, *bottom, turn), turn, last);
+  }
 }
 
 /// The same in 128-bit integers, for corners within ±2^30 pixels: each row solved from the three
@@ -111,11 +149,10 @@ void for_each_span_in_128_bits(const SnappedTriangle& corners, int width, int he
 /// The same of a triangle in pixels, wherever it is within ±2^30. Throws CheckError beyond.
 template <class Visit>
 void for_each_wide_span(const Corners& corners, int width, int height, Visit&& visit) {
-  const SnappedTriangle snapped = snap(corners, max_wide_coordinate);
   if (within(corners, max_coordinate)) {
-    for_each_span(snapped, width, height, visit);
+    for_each_span(snap_unchecked(corners), width, height, visit);
   } else {
-    for_each_span_in_128_bits(snapped, width, height, visit);
+    for_each_span_in_128_bits(snap(corners, max_wide_coordinate), width, height, visit);
   }
 }
 

@@ -1,5 +1,6 @@
 // Pictures: exercises 01.2, 01.3, 01.7, 01.10 and 01.11, and the quick lines.
 #include "common/lines/bresenham.h"
+#include "common/lines/color_run.h"
 #include "common/lines/draw_line.h"
 #include "common/lines/draw_line_gradient.h"
 #include "common/lines/draw_line_runs.h"
@@ -20,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -245,6 +247,72 @@ TEST(stage01_draw_line_runs, draw_the_same_when_the_ends_change_places) {
     EXPECT_EQ(draw_line_runs(there, segment.p0, segment.p1, white),
               draw_line_runs(back, segment.p1, segment.p0, white));
     ASSERT_EQ(there, back);
+  }
+}
+
+/// The pixels of line_bresenham() in an image, each by its own division in 128 bits.
+Image<Rgb8> exactly_drawn(const Point& p0, const Point& p1, int width, int height) {
+  __extension__ using Int128 = __int128;
+  const Eigen::Matrix<std::int64_t, 2, 1> way = p1.cast<std::int64_t>() - p0.cast<std::int64_t>();
+  const int axis = std::abs(way.y()) > std::abs(way.x()) ? 1 : 0;
+  const Point& from = way[axis] < 0 ? p1 : p0;
+  const Int128 major = std::abs(way[axis]);
+  const Int128 minor = std::abs(way[1 - axis]);
+  const int direction = (way[axis] < 0) != (way[1 - axis] < 0) ? -1 : 1;
+  Image<Rgb8> image(width, height);
+  for (int place = 0; place < (axis == 0 ? width : height); ++place) {
+    const Int128 step = Int128{place} - from[axis];
+    if (step < 0 || step > major) continue;
+    const Int128 offset = major == 0 ? 0 : (2 * step * minor + major) / (2 * major);
+    const auto across = static_cast<int>(from[1 - axis] + direction * offset);
+    const Point pixel = axis == 0 ? Point(place, across) : Point(across, place);
+    if (image.contains(pixel.x(), pixel.y())) image(pixel.x(), pixel.y()) = white;
+  }
+  return image;
+}
+
+TEST(stage01_draw_line_runs, are_exact_for_ends_of_every_magnitude) {
+  std::mt19937 random(6);
+  const auto coordinate = [&random] {
+    const int reach = 1 << random() % 31;
+    return static_cast<int>(random() % (2U * static_cast<unsigned>(reach) + 1U)) - reach;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const Point p0(coordinate(), coordinate());
+    const Point p1(coordinate(), coordinate());
+    Image<Rgb8> image(83, 61);
+    draw_line_runs(image, p0, p1, white);
+    ASSERT_EQ(image, exactly_drawn(p0, p1, 83, 61))
+        << "(" << p0.transpose() << ") to (" << p1.transpose() << ")";
+  }
+}
+
+TEST(stage01_draw_line_runs, are_exact_along_their_whole_length) {
+  for (const auto& [width, height] : {std::pair{32768, 5}, {32769, 5}, {100000, 7}, {3, 40000}}) {
+    for (int from = 0; from < (width < height ? width : height); ++from) {
+      for (int to = 0; to < (width < height ? width : height); ++to) {
+        const bool flat = width > height;
+        const Point p0 = flat ? Point(0, from) : Point(from, 0);
+        const Point p1 = flat ? Point(width - 1, to) : Point(to, height - 1);
+        Image<Rgb8> image(width, height);
+        draw_line_runs(image, p0, p1, white);
+        ASSERT_EQ(image, exactly_drawn(p0, p1, width, height))
+            << "(" << p0.transpose() << ") to (" << p1.transpose() << ")";
+      }
+    }
+  }
+}
+
+TEST(stage01_color_run, sets_its_pixels_and_no_others) {
+  const ColorRun run(Rgb8{10, 20, 30});
+  for (std::ptrdiff_t count = -2; count <= 100; ++count) {
+    std::vector<Rgb8> pixels(120, Rgb8{7, 8, 9});
+    run.fill(pixels.data() + 10, count);
+    for (std::ptrdiff_t i = 0; i < 120; ++i) {
+      const bool inside = i >= 10 && i < 10 + count;
+      ASSERT_EQ(pixels[static_cast<std::size_t>(i)], inside ? (Rgb8{10, 20, 30}) : (Rgb8{7, 8, 9}))
+          << "pixel " << i - 10 << " of a run of " << count;
+    }
   }
 }
 

@@ -280,6 +280,37 @@ TEST(stage02_fill_edge_functions, spans_draw_the_same) {
   }
 }
 
+// Sides that are followed for many rows, and corners at the bounds of what the two ways of finding
+// spans are for.
+TEST(stage02_fill_spans, are_exact_out_to_their_bounds) {
+  std::mt19937 random(12);
+  std::int64_t covered = 0;
+  for (const auto& [width, height] : {std::pair{9, 900}, {900, 9}, {61, 47}}) {
+    for (const int reach : {40, 1000, 32768, 32769, 1 << 22, 1 << 30}) {
+      const int units = reach > 1 << 22 ? 1 : 256;  // reach · units fits in an int
+      for (int i = 0; i < 300; ++i) {
+        Corners corners = random_corners(random, -reach, reach, units);
+        if (i % 3 == 0) corners[2] = corners[1] + random_corner(random, -2, 2, 256);  // a sliver
+        if (!within(corners, max_wide_coordinate)) continue;
+        Image<Rgb8> image(width, height);
+        covered += fill_spans(image, corners, white);
+        ASSERT_TRUE(same_picture(picture_text(image), exact(corners, width, height)))
+            << "corners " << corners[0].transpose() << " | " << corners[1].transpose() << " | "
+            << corners[2].transpose();
+      }
+    }
+  }
+  EXPECT_GT(covered, 1000000) << "too few triangles reach into the picture";
+}
+
+TEST(stage02_fill_spans, refuse_corners_too_far) {
+  Image<Rgb8> image(4, 4);
+  EXPECT_THROW(fill_spans(image, {{{0, 0}, {0x1p30 + 1, 0}, {0, 4}}}, white), CheckError);
+  EXPECT_THROW(
+      fill_spans(image, {{{0, 0}, {4, std::numeric_limits<double>::quiet_NaN()}, {0, 4}}}, white),
+      CheckError);
+}
+
 TEST(stage02_fill_ladder, every_rung_but_the_half_fills_the_inside) {
   for (const FillRung& rung : fill_ladder) {
     if (std::string(rung.name) == "half_sweep") continue;
