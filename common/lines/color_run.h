@@ -18,7 +18,8 @@ class ColorRun {
  public:
   explicit ColorRun(const Rgb8& color) {
     static_assert(std::endian::native == std::endian::little && sizeof(Rgb8) == 3);
-    red_first_ = (color.r | color.g << 8 | color.b << 16) * 0x1000001000001ULL;
+    red_first_ =
+        (color.r | std::uint64_t{color.g} << 8 | std::uint64_t{color.b} << 16) * 0x1000001000001;
     green_first_ = red_first_ >> 8 | std::uint64_t{color.b} << 56;
     const std::uint64_t blue_first = green_first_ >> 8 | std::uint64_t{color.r} << 56;
     pixels_ = {red_first_, blue_first, green_first_, red_first_, blue_first, green_first_};
