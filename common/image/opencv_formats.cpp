@@ -279,7 +279,9 @@ std::string encode_by_opencv(const std::string& extension, const AnyImage& image
   std::vector<int> parameters;
   if (extension == ".jpg") {
     parameters = {cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality};
-  } else if (extension != ".png" && extension != ".pfm") {
+  } else if (extension == ".png") {
+    parameters = {cv::IMWRITE_PNG_COMPRESSION, 6};  // by default up to 4 times as large
+  } else if (extension != ".pfm") {
     parameters = {cv::IMWRITE_PXM_BINARY, options.text ? 0 : 1};
   }
   const cv::Mat picture = std::visit([](const auto& pixels) { return to_opencv(pixels); }, image);
