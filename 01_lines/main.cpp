@@ -17,6 +17,7 @@
 #include "common/lines/octants.h"
 #include "common/lines/red_pixel.h"
 #include "common/mesh/read_mesh.h"
+#include "common/stage/ladder.h"
 #include "common/stage/stage.h"
 
 #include "01_lines/own_lines.h"
@@ -168,12 +169,6 @@ void add_convert(CLI::App& app) {
   convert->callback([paths] { write_image(paths->second, read_any_image(paths->first)); });
 }
 
-Ladder rungs_of_01_5() {
-  Ladder ladder{.exercise = "01.5", .rungs = {}};
-  for (const LineRung& rung : line_ladder) ladder.rungs.push_back({rung.name, rung.known_fault});
-  return ladder;
-}
-
 }  // namespace
 }  // namespace rasterlab
 
@@ -192,7 +187,7 @@ int main(int argc, char** argv) {
                                   {"01.9", &line_interpolation},
                                   {"01.10", &line_of_two_colors},
                                   {"01.11", &wireframe}},
-                    .ladders = {rungs_of_01_5()},
+                    .ladders = {ladder_of("01.5", line_ladder)},
                     .own_inputs = {own_lines()},
                     .add_commands = &add_convert});
 }

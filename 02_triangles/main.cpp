@@ -1,6 +1,7 @@
 // Stage 02: from three lines to the faces of a mesh. The order is that of the lab sheet, README.md.
 #include "common/image/operations.h"
 #include "common/mesh/read_mesh.h"
+#include "common/stage/ladder.h"
 #include "common/stage/stage.h"
 #include "common/triangles/draw_flat_faces.h"
 #include "common/triangles/draw_random_faces.h"
@@ -138,12 +139,6 @@ void faces(Run& run) {
   run.picture("02.7_flat", flat);
 }
 
-Ladder rungs_of_02_4() {
-  Ladder rungs{.exercise = "02.4", .rungs = {}};
-  for (const FillRung& rung : fill_ladder) rungs.rungs.push_back({rung.name, rung.known_fault});
-  return rungs;
-}
-
 }  // namespace
 }  // namespace rasterlab
 
@@ -158,6 +153,6 @@ int main(int argc, char** argv) {
                                   {"02.5", &attributes},
                                   {"02.6", &faults},
                                   {"02.7", &faces}},
-                    .ladders = {rungs_of_02_4()},
+                    .ladders = {ladder_of("02.4", fill_ladder)},
                     .own_inputs = {own_triangles()}});
 }

@@ -1,21 +1,10 @@
 // Stage 03: what is in front of what. The order is that of the lab sheet, README.md.
+#include "common/stage/ladder.h"
 #include "common/stage/stage.h"
 #include "common/zbuffer/visibility.h"
 
 #include "03_zbuffer/figures.h"
 #include "03_zbuffer/own_triangles.h"
-
-namespace {
-
-rasterlab::Ladder ladder() {
-  rasterlab::Ladder ladder{.exercise = "03.5", .rungs = {}};
-  for (const rasterlab::VisibilityRung& rung : rasterlab::visibility_ladder) {
-    ladder.rungs.push_back({rung.name, rung.known_fault});
-  }
-  return ladder;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace rasterlab;
@@ -27,6 +16,6 @@ int main(int argc, char** argv) {
                                   {"03.4", &draw_interpenetrating},
                                   {"03.5", &draw_visibility_ladder},
                                   {"03.6", &draw_bunny_with_depth}},
-                    .ladders = {ladder()},
+                    .ladders = {ladder_of("03.5", visibility_ladder)},
                     .own_inputs = {own_triangles()}});
 }

@@ -9,4 +9,7 @@ namespace rasterlab {
 /// outline: its faces are the brighter the more they face the camera.
 DrawFrame draw_any_mesh(const Subject& subject);
 
+/// The same by the engine: the same pixels, their colours within one code value.
+DrawFrame draw_any_mesh_tiled(const Subject& subject);
+
 }  // namespace rasterlab

@@ -1,7 +1,7 @@
 #include "05_lighting/figures.h"
 
 #include "common/image/animation.h"
-#include "common/image/side_by_side.h"
+#include "common/image/operations.h"
 #include "common/lighting/facing.h"
 #include "common/lighting/power_pictures.h"
 #include "common/lighting/shading.h"
@@ -89,7 +89,7 @@ void draw_normals_as_colors(Run& run, Mesh mesh, const std::vector<Eigen::Vector
     mesh.colors.push_back((normal + Eigen::Vector3f::Ones()) / 2);
   }
   Frame frame = frame_of(run);
-  render_nearest(mesh, seen_from({0, 0.4F, 3.1F}, frame), Cull::none, frame);
+  render_nearest(mesh, seen_from({0, 0.4F, 3.9F}, frame), Cull::none, frame);
   run.picture("05.1_" + name, frame.color);
 }
 
@@ -98,7 +98,7 @@ void draw_normals_as_colors(Run& run, Mesh mesh, const std::vector<Eigen::Vector
 void draw_vertex_normals(Run& run) {
   const Mesh cube = cube_of_eight_vertices();
   Frame frame = frame_of(run);
-  const Transforms transforms = seen_from({1.5F, 1.9F, 5.2F}, frame);
+  const Transforms transforms = seen_from({1.5F, 1.9F, 6.4F}, frame);
   render_nearest(cube, transforms, Cull::none, frame);
   draw_normals_as_lines(cube, angle_weighted_normals(cube), transforms, {64, 255, 64}, frame);
   draw_normals_as_lines(cube, vertex_normals(cube), transforms, {255, 64, 64}, frame);
@@ -143,7 +143,7 @@ void draw_phong_parts(Run& run) {
   const Mesh mesh = bunny();
   Frame of_bunny = frame_of(run);
   shade_gouraud({.mesh = mesh,
-                 .transforms = seen_from({0, 0.4F, 3.1F}, of_bunny),
+                 .transforms = seen_from({0, 0.4F, 3.9F}, of_bunny),
                  .light = from_upper_left,
                  .material = course,
                  .color = clay},
@@ -179,7 +179,7 @@ void draw_lit_mesh(Run& run) {
   for (int i = 0; i < 3; ++i) {
     const std::array<Color, 3> colors = {Color(0.9F, 0.4F, 0.3F), Color(0.4F, 0.8F, 0.4F),
                                          Color(0.4F, 0.5F, 0.95F)};
-    Transforms transforms = seen_from({0, 0.9F, 3.4F}, frame);
+    Transforms transforms = seen_from({0, 0.9F, 4}, frame);
     transforms.model = translation({1.2F * static_cast<float>(i - 1), 0, 0}) *
                        rotation(static_cast<float>(i) * 120, {0, 1, 0}) *
                        scaling({0.6F, 0.6F, 0.6F});

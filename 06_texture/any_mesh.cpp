@@ -1,35 +1,72 @@
 #include "06_texture/any_mesh.h"
 
 #include "common/lighting/shading.h"
-#include "common/lighting/vertex_normals.h"
+#include "common/lighting/with_normals.h"
 #include "common/texture/textured_mesh.h"
+#include "common/viewer/tiled_drawing.h"
+
+#include "06_texture/shaders.h"
 
 #include <memory>
-#include <utility>
+#include <optional>
 
 namespace rasterlab {
+namespace {
+
+/// What stays the same from frame to frame.
+class Prepared {
+ public:
+  explicit Prepared(const Subject& subject) : subject_(subject), mesh_(with_normals(subject.mesh)) {
+    if (subject.texture.empty()) return;
+    require_texture_coordinates(mesh_);
+    texture_.emplace(subject.texture);
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+  LitMesh lit_mesh(const View& view) const {
+    return {.mesh = mesh_,
+            .transforms = view.transforms,
+            .light = view.light,
+            .material = subject_.material,
+            .color = subject_.color,
+            .cull = subject_.cull};
+  }
+
+  /// None where no texture was given.
+  std::optional<Sampler> sampler() const {
+    if (!texture_) return std::nullopt;
+    return Sampler{&*texture_, filter_named(subject_.filter), wrap_named(subject_.wrap)};
+  }
+
+ private:
+  const Subject& subject_;
+  Mesh mesh_;
+  std::optional<Texture> texture_;
+};
+
+}  // namespace
 
 DrawFrame draw_any_mesh(const Subject& subject) {
-  Mesh mesh = subject.mesh;
-  if (mesh.normals.empty()) mesh.normals = vertex_normals(mesh);
-  std::shared_ptr<const Texture> texture;
-  if (!subject.texture.empty()) {
-    require_texture_coordinates(mesh);
-    texture = std::make_shared<Texture>(subject.texture);
-  }
-  return [mesh = std::move(mesh), texture, &subject](const View& view, Frame& frame) {
+  const auto prepared = std::make_shared<const Prepared>(subject);
+  return [prepared](const View& view, Frame& frame) {
     clear(frame);
-    const LitMesh lit_mesh = {.mesh = mesh,
-                              .transforms = view.transforms,
-                              .light = view.light,
-                              .material = subject.material,
-                              .color = subject.color,
-                              .cull = subject.cull};
-    if (!texture) return statistics(shade_phong(lit_mesh, frame));
-    const Sampler sampler = {.texture = texture.get(),
-                             .filter = filter_named(subject.filter),
-                             .wrap = wrap_named(subject.wrap)};
-    return statistics(draw_textured_mesh(lit_mesh, sampler, frame));
+    const LitMesh lit_mesh = prepared->lit_mesh(view);
+    const std::optional<Sampler> sampler = prepared->sampler();
+    return statistics(sampler ? draw_textured_mesh(lit_mesh, *sampler, frame)
+                              : shade_phong(lit_mesh, frame));
+  };
+}
+
+DrawFrame draw_any_mesh_tiled(const Subject& subject) {
+  const auto prepared = std::make_shared<const Prepared>(subject);
+  const auto drawing = std::make_shared<TiledDrawing>(subject, prepared->mesh());
+  return [prepared, drawing](const View& view, Frame& frame) {
+    const LitMesh lit_mesh = prepared->lit_mesh(view);
+    const SurfaceLighting lighting(lit_mesh);
+    const std::optional<Sampler> sampler = prepared->sampler();
+    return sampler ? drawing->draw(view, shading(LitTexture{lighting, *sampler}), frame)
+                   : drawing->draw(view, shading(LitColors{lighting}), frame);
   };
 }
 

@@ -9,4 +9,7 @@ namespace rasterlab {
 /// InputError when there is a texture but the mesh says not where it lies.
 DrawFrame draw_any_mesh(const Subject& subject);
 
+/// The same by the engine: the same pixels, their colours within one code value.
+DrawFrame draw_any_mesh_tiled(const Subject& subject);
+
 }  // namespace rasterlab

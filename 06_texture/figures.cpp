@@ -13,6 +13,7 @@
 #include "common/texture/sample.h"
 #include "common/texture/textured_mesh.h"
 #include "common/texture/textured_triangle.h"
+#include "common/viewer/figure.h"
 
 #include <cmath>
 #include <cstdio>
@@ -20,10 +21,6 @@
 
 namespace rasterlab {
 namespace {
-
-float aspect(Size size) {
-  return static_cast<float>(size.width) / static_cast<float>(size.height);
-}
 
 /// A letter that no mirror leaves alone, its top left corner red, its bottom right one blue.
 Image<Rgb8> letter() {
@@ -71,12 +68,11 @@ void draw_wrap_modes(Run& run) {
 void draw_planet(Run& run) {
   const Mesh sphere = make_shape("uv_sphere", 64);
   const Texture texture(read_image<Rgb8>(data_path("planet_color.png")));
-  const Size size = run.size({480, 480});
-  Frame frame = make_frame(size.width, size.height);
+  Frame frame = frame_of(run, {480, 480});
   draw_textured_mesh(
       {.mesh = sphere,
        .transforms = {.view = look_at({0, 1.2F, 3}, {0, 0, 0}, {0, 1, 0}),
-                      .projection = perspective(40, aspect(size), 0.1F, 20)},
+                      .projection = perspective(40, aspect_of(frame), 0.1F, 20)},
        .light = {.position = {-1, 1, 1, 0}},
        .material = {.ambient = 0.1F, .diffuse = 1, .specular = 0.3F, .shininess = 20},
        .cull = Cull::back},
@@ -88,13 +84,13 @@ void draw_planet(Run& run) {
 void draw_perspective_ladder(Run& run) {
   const Mesh wall = read_mesh(data_path("wall.off"));
   const Texture texture(read_image<Rgb8>(data_path("brick.png")), MipLevels::none);
-  const Size size = run.size({480, 360});
+  Frame frame = frame_of(run, {480, 360});
   const Transforms transforms = {.view = look_at({-4.6F, 0.3F, 2.6F}, {-1.6F, 0, 0}, {0, 1, 0}),
-                                 .projection = perspective(45, aspect(size), 0.1F, 20)};
+                                 .projection = perspective(45, aspect_of(frame), 0.1F, 20)};
   const Eigen::Matrix4f matrix = transforms.to_clip();
   for (const NamedPerspectiveRung& rung : perspective_ladder()) {
     if (!run.draws(rung.name)) continue;
-    Frame frame = make_frame(size.width, size.height);
+    clear(frame);
     for (const auto& [a, b, c] : wall.triangles) {
       draw_textured_triangle(
           {to_clip(matrix, wall.positions[a]), to_clip(matrix, wall.positions[b]),
@@ -112,10 +108,10 @@ namespace {
 Image<Rgb8> draw_floor(const Sampler& sampler, Size size) {
   Mesh floor = make_shape("grid", 1);
   for (Eigen::Vector2f& uv : floor.texture_coordinates) uv *= 200;
+  Frame frame = make_frame(size.width, size.height);
   const Transforms transforms = {.model = scaling(Eigen::Vector3f::Constant(200)),
                                  .view = look_at({0, 1, 0}, {0.3F, 0.8F, -1}, {0, 1, 0}),
-                                 .projection = perspective(50, aspect(size), 0.1F, 1000)};
-  Frame frame = make_frame(size.width, size.height);
+                                 .projection = perspective(50, aspect_of(frame), 0.1F, 1000)};
   draw_textured_mesh({.mesh = floor,
                       .transforms = transforms,
                       .light = {},

@@ -1,6 +1,7 @@
 // Stage 06: pictures on surfaces, seen in perspective. The order is that of the lab sheet,
 // README.md.
 #include "common/lighting/turned_light.h"
+#include "common/stage/ladder.h"
 #include "common/stage/stage.h"
 #include "common/texture/perspective_ladder.h"
 #include "common/texture/sample.h"
@@ -10,13 +11,6 @@
 #include "06_texture/figures.h"
 
 namespace {
-
-template <class Rungs>
-rasterlab::Ladder ladder(const std::string& exercise, const Rungs& rungs) {
-  rasterlab::Ladder ladder{.exercise = exercise, .rungs = {}};
-  for (const auto& rung : rungs) ladder.rungs.push_back({rung.name, rung.known_fault});
-  return ladder;
-}
 
 rasterlab::Choices filter_choices() {
   rasterlab::Choices choices;
@@ -43,8 +37,9 @@ int main(int argc, char** argv) {
                      {"06.2", &draw_planet},
                      {"06.3", &draw_perspective_ladder},
                      {"06.4", &draw_filter_ladder}},
-       .ladders = {ladder("06.3", perspective_ladder()), ladder("06.4", filter_ladder())},
+       .ladders = {ladder_of("06.3", perspective_ladder()), ladder_of("06.4", filter_ladder())},
        .own_inputs = {viewer({.exercise = &draw_any_mesh,
+                              .tiled = &draw_any_mesh_tiled,
                               .turn_light = &turned_light,
                               .textured = true,
                               .filters = filter_choices(),

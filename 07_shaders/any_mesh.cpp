@@ -1,8 +1,8 @@
 #include "07_shaders/any_mesh.h"
 
-#include "common/engine/renderer.h"
 #include "common/lighting/turned_light.h"
-#include "common/lighting/vertex_normals.h"
+#include "common/lighting/with_normals.h"
+#include "common/viewer/tiled_drawing.h"
 
 #include "07_shaders/draw_by_name.h"
 #include "07_shaders/shader_list.h"
@@ -43,11 +43,6 @@ class Prepared {
   }
 
  private:
-  static Mesh with_normals(Mesh mesh) {
-    if (mesh.normals.empty()) mesh.normals = vertex_normals(mesh);
-    return mesh;
-  }
-
   static std::optional<Texture> load(const Image<Rgb8>& image) {
     return image.empty() ? std::nullopt : std::optional<Texture>(image);
   }
@@ -73,51 +68,14 @@ DrawFrame draw_by_exercise(const Subject& subject) {
   };
 }
 
-/// The engine with all it keeps from frame to frame.
-struct Tiled {
-  explicit Tiled(const Subject& subject)
-      : prepared(subject), mesh(prepared.mesh()), renderer(options(subject)) {}
-
-  static EngineOptions options(const Subject& subject) {
-    EngineOptions options;
-    options.threads = subject.threads;
-    if (!subject.simd.empty()) options.simd = simd_target(subject.simd);
-    return options;
-  }
-
-  /// The framebuffer, kept while frames have one size.
-  Framebuffer& cleared(int width, int height) {
-    if (!framebuffer || framebuffer->width() != width || framebuffer->height() != height) {
-      framebuffer.emplace(width, height);
-    }
-    framebuffer->clear();
-    return *framebuffer;
-  }
-
-  Prepared prepared;
-  PreparedMesh mesh;
-  Renderer renderer;
-  std::optional<Framebuffer> framebuffer;
-};
-
 DrawFrame draw_tiled(const Subject& subject) {
-  const auto tiled = std::make_shared<Tiled>(subject);
-  return [tiled](const View& view, Frame& frame) {
-    Framebuffer& target = tiled->cleared(frame.width(), frame.height());
+  const auto prepared = std::make_shared<Prepared>(subject);
+  const auto drawing = std::make_shared<TiledDrawing>(subject, prepared->mesh());
+  return [prepared, drawing](const View& view, Frame& frame) {
     const auto draw = [&](const auto& shader) {
-      return to_json(tiled->renderer.draw({.mesh = &tiled->mesh,
-                                           .matrix = view.transforms.to_clip(),
-                                           .cull = tiled->prepared.subject().cull,
-                                           .mirrored = view.transforms.mirrored(),
-                                           .shading = shading(shader)},
-                                          target));
+      return drawing->draw(view, shading(shader), frame);
     };
-    nlohmann::json counts = with_shader(shader_list, tiled->prepared.subject().shader,
-                                        tiled->prepared.inputs(view), draw);
-    frame.color = target.color();
-    if (!frame.distance.empty()) frame.distance = target.distance(view.transforms.projection);
-    if (!frame.ids.empty()) frame.ids = target.ids();
-    return counts;
+    return with_shader(shader_list, prepared->subject().shader, prepared->inputs(view), draw);
   };
 }
 
@@ -139,9 +97,6 @@ ViewerOptions viewer_options() {
   }
   options.filters = with_default(options.filters, "trilinear");
   for (const NamedWrap& mode : wrap_modes()) options.wraps.push_back({mode.name, mode.description});
-  for (const SimdTarget target : supported_simd_targets()) {
-    options.simd_targets.push_back({std::string(name_of(target))});
-  }
   return options;
 }
 

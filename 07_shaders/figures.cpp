@@ -2,9 +2,9 @@
 
 #include "common/image/animation.h"
 #include "common/image/files.h"
-#include "common/image/side_by_side.h"
+#include "common/image/operations.h"
 #include "common/lighting/turned_light.h"
-#include "common/lighting/vertex_normals.h"
+#include "common/lighting/with_normals.h"
 #include "common/mesh/read_mesh.h"
 #include "common/mesh/shapes.h"
 #include "common/projection/look_at.h"
@@ -190,8 +190,7 @@ void draw_phong_per_fragment(Run& run) {
   draw_shaded(knot, inputs.transforms, Cull::none, GouraudHighlight<ConstantColor>(inputs), frame);
   run.picture("07.8_per_vertex", frame.color);
   run.picture("07.8_per_fragment", picture_by_name("phong", inputs, size));
-  Mesh bunny = read_mesh(bunny_path());
-  if (bunny.normals.empty()) bunny.normals = vertex_normals(bunny);
+  const Mesh bunny = with_normals(read_mesh(bunny_path()));
   run.picture("07.8_bunny", picture_by_name("phong", inputs_for(bunny, {0.3F, 0.8F, 3.4F}), size));
   const Planet planet(64);
   run.picture("07.8_planet", picture_by_name("phong_all_maps", planet.inputs(size), size));

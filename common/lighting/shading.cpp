@@ -37,7 +37,7 @@ DrawCounts shade_gouraud(const LitMesh& lit_mesh, Frame& frame) {
 DrawCounts shade_phong(const LitMesh& lit_mesh, Frame& frame) {
   // <solution>
   const SurfaceLighting lighting(lit_mesh);
-  auto corners = once_a_triangle<std::array<SurfaceSample, 3>>(
+  auto corners = once_a_triangle<std::array<SurfaceSample<float>, 3>>(
       [&](std::uint32_t triangle) { return lighting.corners(triangle); });
   return draw_mesh(lit_mesh.mesh, lit_mesh.transforms, lit_mesh.cull, frame,
                    [&](std::uint32_t triangle, const TrianglePixel& pixel) {

@@ -1,9 +1,7 @@
 #include "common/lighting/surface_lighting.h"
 
 #include "common/image/check.h"
-#include "common/lighting/blinn_phong.h"
-#include "common/lighting/phong.h"
-#include "common/lighting/reflection.h"
+#include "common/mesh/normals.h"
 #include "common/projection/eye.h"
 #include "common/projection/normal_matrix.h"
 
@@ -14,8 +12,8 @@ const Color light_grey = Color::Constant(0.75F);
 
 }  // namespace
 
-SurfaceSample interpolate(const std::array<SurfaceSample, 3>& corners,
-                          const CornerWeights<float>& weights) {
+SurfaceSample<float> interpolate(const std::array<SurfaceSample<float>, 3>& corners,
+                                 const CornerWeights<float>& weights) {
   const auto mix = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                        const Eigen::Vector3f& c) {
     return rasterlab::interpolate<Eigen::Vector3f>({a, b, c}, weights);
@@ -39,35 +37,23 @@ Color SurfaceLighting::vertex_color(std::uint32_t vertex) const {
   return lit_mesh_.mesh.colors.empty() ? light_grey : lit_mesh_.mesh.colors[vertex];
 }
 
-SurfaceSample SurfaceLighting::vertex(std::uint32_t vertex) const {
+SurfaceSample<float> SurfaceLighting::vertex(std::uint32_t vertex) const {
   const Mesh& mesh = lit_mesh_.mesh;
   if (mesh.normals.empty()) throw CheckError("a mesh without normals can only be shaded flat");
   return {world_position(vertex), transform_normal(normal_matrix_, mesh.normals[vertex]),
           vertex_color(vertex)};
 }
 
-std::array<SurfaceSample, 3> SurfaceLighting::corners(std::uint32_t triangle) const {
+std::array<SurfaceSample<float>, 3> SurfaceLighting::corners(std::uint32_t triangle) const {
   const auto [a, b, c] = lit_mesh_.mesh.triangles[triangle];
   return {vertex(a), vertex(b), vertex(c)};
 }
 
-SurfaceSample SurfaceLighting::face(std::uint32_t triangle) const {
+SurfaceSample<float> SurfaceLighting::face(std::uint32_t triangle) const {
   const auto [a, b, c] = lit_mesh_.mesh.triangles[triangle];
-  const auto& positions = lit_mesh_.mesh.positions;
-  const Eigen::Vector3f normal =
-      (positions[b] - positions[a]).cross(positions[c] - positions[a]).stableNormalized();
   return {(world_position(a) + world_position(b) + world_position(c)) / 3,
-          transform_normal(normal_matrix_, normal),
+          transform_normal(normal_matrix_, face_normal(lit_mesh_.mesh, triangle)),
           (vertex_color(a) + vertex_color(b) + vertex_color(c)) / 3};
-}
-
-Color SurfaceLighting::light(const SurfaceSample& sample) const {
-  const Eigen::Vector3f to_light = direction_to(lit_mesh_.light.position, sample.position);
-  const Eigen::Vector3f to_eye = direction_to(eye_, sample.position);
-  const auto reflect =
-      lit_mesh_.model == ReflectionModel::phong ? &phong<float> : &blinn_phong<float>;
-  return lit(sample.color,
-             reflect(sample.normal, to_light, to_eye, lit_mesh_.light, lit_mesh_.material));
 }
 
 }  // namespace rasterlab

@@ -38,13 +38,13 @@ DrawCounts draw_textured_mesh(const LitMesh& lit_mesh, const Sampler& sampler, F
   const Mesh& mesh = lit_mesh.mesh;
   require_texture_coordinates(mesh);
   const SurfaceLighting lighting(lit_mesh);
-  auto samples = once_a_triangle<std::array<SurfaceSample, 3>>(
+  auto samples = once_a_triangle<std::array<SurfaceSample<float>, 3>>(
       [&](std::uint32_t triangle) { return lighting.corners(triangle); });
   auto coordinates = once_a_triangle<TextureCorners>(
       [&](std::uint32_t triangle) { return texture_corners(mesh, triangle); });
   return draw_mesh(mesh, lit_mesh.transforms, lit_mesh.cull, frame,
                    [&](std::uint32_t triangle, const TrianglePixel& pixel) {
-                     SurfaceSample sample = interpolate(samples(triangle), pixel.weights);
+                     SurfaceSample<float> sample = interpolate(samples(triangle), pixel.weights);
                      sample.color =
                          rasterlab::sample(sampler, footprint(coordinates(triangle), pixel));
                      return lighting.light(sample);

@@ -2,6 +2,7 @@
 
 #include "common/image/window.h"
 #include "common/stage/guard.h"
+#include "common/viewer/tiled_drawing.h"
 
 #include <algorithm>
 #include <charconv>
@@ -236,7 +237,7 @@ void add_engine_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags& 
             flags.threads);
   add_choice(app, "--simd",
              "Instruction set of the tiled engine (default: the best); 'list' names them",
-             options.simd_targets, flags.simd);
+             simd_choices(), flags.simd);
 }
 
 void add_output_flags(CLI::App& app, ViewerFlags& flags) {

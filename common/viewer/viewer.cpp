@@ -8,6 +8,7 @@
 #include "common/projection/look_at.h"
 #include "common/viewer/camera.h"
 #include "common/viewer/flags.h"
+#include "common/viewer/tiled_drawing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -286,7 +287,7 @@ bool printed_list(const ViewerFlags& flags, const ViewerOptions& options) {
   } else if (flags.wrap == "list") {
     print(options.wraps);
   } else if (flags.simd == "list") {
-    print(options.simd_targets);
+    print(simd_choices());
   } else {
     return false;
   }

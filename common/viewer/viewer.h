@@ -69,7 +69,6 @@ struct ViewerOptions {
   PrepareDrawing exercise;
   PrepareDrawing tiled = {};  ///< empty: no --engine, --threads, --simd
   bool tiled_by_default = false;
-  Choices simd_targets = {};  ///< for `--simd list`, the best last
   /// The light carried round an axis through a centre by an angle in degrees; given: --light,
   /// --material, and --frames turns the light.
   Light (*turn_light)(const Light& light, const Eigen::Vector3f& center,

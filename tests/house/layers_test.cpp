@@ -28,7 +28,7 @@ std::map<std::string, std::set<std::string>> allowed_rooms() {
       {"mesh", {"image"}},
       {"engine", {"image", "mesh"}},
       {"stage", {"image", "mesh"}},
-      {"viewer", {"image", "mesh", "stage", "projection"}}};
+      {"viewer", {"image", "mesh", "stage", "engine", "projection"}}};
   std::set<std::string> earlier{"image", "mesh"};
   for (const std::string& topic : topics) {
     allowed[topic] = earlier;

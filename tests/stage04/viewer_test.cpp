@@ -4,6 +4,7 @@
 #include "common/projection/draw_mesh.h"
 #include "common/viewer/camera.h"
 
+#include "tests/support/both_engines.h"
 #include "tests/support/process.h"
 #include "tests/support/scratch.h"
 
@@ -75,6 +76,15 @@ TEST_F(stage04_viewer, without_a_camera_the_mesh_fills_the_picture_without_touch
       EXPECT_GT(drawn(image), image.width() * image.height() / 16) << mesh << " " << size;
     }
   }
+}
+
+TEST_F(stage04_viewer, a_vertex_that_no_face_uses_does_not_push_the_camera_away) {
+  const std::string triangle = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+  write_file(folder_ / "triangle.obj", triangle);
+  write_file(folder_ / "astray.obj", triangle + "v 1e10 20 3e10\n");
+  const Image<Rgb8> expected = picture({"--mesh", "triangle.obj", "--size", "60x60"});
+  EXPECT_GT(drawn(expected), 60 * 60 / 16);
+  EXPECT_EQ(picture({"--mesh", "astray.obj", "--size", "60x60"}), expected);
 }
 
 TEST_F(stage04_viewer, depth_is_the_distance_along_the_view_axis_and_infinite_where_nothing_is) {
@@ -264,8 +274,18 @@ TEST_F(stage04_viewer, values_that_are_none_are_refused_with_what_was_expected) 
   expect_usage_error({"--eye", "1,2,3"}, "--mesh");
 }
 
+// Coloured vertices and coloured faces; from outside, and so close that triangles are cut.
+TEST_F(stage04_viewer, both_engines_draw_the_same) {
+  for (const char* shape : {"builtin:cube", "builtin:torus_knot:16", "builtin:icosphere:3"}) {
+    expect_both_engines_draw_the_same("04_projection", {"--mesh", shape, "--size", "200x160"});
+    expect_both_engines_draw_the_same(
+        "04_projection", {"--mesh", shape, "--eye", "0.9,0.7,0.6", "--cull", "front", "--color",
+                          "1,0.5,0.2", "--size", "160x200"});
+  }
+}
+
 TEST_F(stage04_viewer, flags_of_later_stages_are_unknown) {
-  for (const char* flag : {"--light", "--material", "--texture", "--shader", "--engine"}) {
+  for (const char* flag : {"--light", "--material", "--texture", "--shader"}) {
     expect_usage_error({"--mesh", "builtin:cube", flag, "1,1,1,0"}, flag);
   }
 }

@@ -2,6 +2,7 @@
 #include "common/image/bytes.h"
 #include "common/image/files.h"
 
+#include "tests/support/both_engines.h"
 #include "tests/support/process.h"
 #include "tests/support/scratch.h"
 
@@ -74,6 +75,15 @@ TEST_F(stage05_viewer, frames_turn_the_light_and_turntable_the_camera) {
     return drawn;
   };
   EXPECT_EQ(outline(lit_from_behind), outline(still)) << "the camera stays";
+}
+
+TEST_F(stage05_viewer, both_engines_draw_the_same) {
+  for (const char* shape : {"builtin:cube", "builtin:torus_knot:16", "builtin:icosphere:3"}) {
+    expect_both_engines_draw_the_same("05_lighting", {"--mesh", shape, "--size", "200x160"});
+    expect_both_engines_draw_the_same(
+        "05_lighting", {"--mesh", shape, "--light", "1,2,0.5,1", "--eye", "0.9,0.7,0.6", "--cull",
+                        "front", "--color", "1,0.5,0.2", "--size", "160x200"});
+  }
 }
 
 TEST_F(stage05_viewer, lights_and_materials_that_are_none_are_refused) {

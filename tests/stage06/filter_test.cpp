@@ -1,5 +1,6 @@
 #include "common/texture/sample.h"
 
+#include "tests/stage06/noise.h"
 #include "tests/stage06/quad.h"
 #include "tests/support/toy_lanes.h"
 
@@ -15,17 +16,6 @@ namespace rasterlab {
 namespace {
 
 const std::vector<Wrap> all_wraps = {Wrap::repeat, Wrap::clamp, Wrap::mirror};
-
-Image<Rgb8> noise(int width, int height, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_int_distribution<int> byte(0, 255);
-  Image<Rgb8> image(width, height);
-  for (Rgb8& pixel : image.pixels()) {
-    pixel = {static_cast<std::uint8_t>(byte(random)), static_cast<std::uint8_t>(byte(random)),
-             static_cast<std::uint8_t>(byte(random))};
-  }
-  return image;
-}
 
 Footprint<float> random_footprint(std::mt19937& random, float range, float step) {
   std::uniform_real_distribution<float> place(-range, range);

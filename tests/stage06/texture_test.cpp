@@ -2,6 +2,7 @@
 
 #include "common/texture/sample.h"
 
+#include "tests/stage06/noise.h"
 #include "tests/stage06/quad.h"
 
 #include <cmath>
@@ -12,17 +13,6 @@
 
 namespace rasterlab {
 namespace {
-
-Image<Rgb8> noise(int width, int height, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_int_distribution<int> byte(0, 255);
-  Image<Rgb8> image(width, height);
-  for (Rgb8& pixel : image.pixels()) {
-    pixel = {static_cast<std::uint8_t>(byte(random)), static_cast<std::uint8_t>(byte(random)),
-             static_cast<std::uint8_t>(byte(random))};
-  }
-  return image;
-}
 
 /// What part of [low, high] lies in [i, i + 1].
 Quad overlap(Quad low, Quad high, int i) {

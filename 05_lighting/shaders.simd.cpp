@@ -1,0 +1,5 @@
+// The shader of any_mesh.cpp as the engine runs it: compiled once per instruction set.
+#include "common/engine/shade_tile.h"
+#include "common/projection/color_shaders.h"
+
+RASTERLAB_SHADER(rasterlab::VertexColorShader)
