@@ -51,6 +51,11 @@ ClipPolygon clip_near(const ClipTriangle& triangle, const Eigen::Vector2f& guard
 /// always from the corner inside (d ≥ 0) to the one outside: so two triangles that share an edge
 /// get the same point, to the last bit, and leave neither gap nor double. Weights are cut with the
 /// same t.
+///
+/// Known fault: where all three corners have |w| < 2⁻²²/g times the largest of their |x| and |y|,
+/// rounding moves a cut farther than the guard band is wide, and parts or all of the triangle are
+/// lost. The eye is then in its plane, as nearly as a float can say. (To put the cut exactly on its
+/// plane would mend that, and tear edges elsewhere: it takes the point off the edge.)
 ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f& guard);
 
 /// The ladder, worst first.
