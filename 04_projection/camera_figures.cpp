@@ -88,9 +88,9 @@ void draw_looking_at(Run& run, const Eigen::Vector3f& center, const std::string&
 
 void draw_looking_at_things(Run& run) {
   draw_looking_at(run, {0, 0, 0}, "look_at");
-  draw_looking_at(run, {-0.5F, 0.5F, 0}, "other_center");
+  draw_looking_at(run, {-0.4F, 0.3F, 0}, "other_center");
   run.printout("04.5_matrices", text_of(look_at({1, 1, 2}, {0, 0, 0}, {0, 1, 0})) + "\n" +
-                                    text_of(look_at({1, 1, 2}, {-0.5F, 0.5F, 0}, {0, 1, 0})));
+                                    text_of(look_at({1, 1, 2}, {-0.4F, 0.3F, 0}, {0, 1, 0})));
 }
 
 // --- 04.6 ---

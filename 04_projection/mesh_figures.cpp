@@ -30,7 +30,7 @@ void draw_one_triangle(Run& run) {
   triangle.triangles = {{0, 1, 2}};
   Transforms transforms;
   transforms.model = rotation(50, {0, 1, 0});
-  transforms.view = translation({0, 0, -2.5F});
+  transforms.view = translation({0, 0, -3});
   transforms.projection = perspective(60, aspect_of(frame), 0.1F, 20);
   render_nearest(triangle, transforms, Cull::none, frame);
   run.picture("04.7_triangle", frame.color);

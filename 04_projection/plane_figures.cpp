@@ -35,7 +35,7 @@ void draw_transform(Run& run, const std::string& name, const Eigen::Matrix3f& tr
 void draw_order(Run& run) {
   const Eigen::Matrix3f turn = rotate_2d(60 * degree);
   const Eigen::Matrix3f move = translate_2d(1, 0);
-  Sketch sketch(160, 2.2F);
+  Sketch sketch(160, 2.8F);
   sketch.letter(Eigen::Matrix3f::Identity(), grey);
   sketch.letter(turn * move, red);
   sketch.letter(move * turn, green);
