@@ -148,6 +148,9 @@ class Viewing {
     if (!flags_.depth.empty()) frame.distance = Image<float>(frame.width(), frame.height());
     if (!flags_.ids.empty()) frame.ids = Image<std::int32_t>(frame.width(), frame.height());
     const int frames = std::max(flags_.frames, 1);
+    if (flags_.frames > 0 && !run_.out_is_file()) {
+      std::filesystem::create_directories(run_.settings().out);
+    }
     for (int i = 0; i < frames; ++i) {
       const nlohmann::json counts = draw_timed(view(i), frame);
       if (i == 0) run_.statistics()["counts"] = counts;

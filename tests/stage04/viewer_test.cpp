@@ -284,6 +284,16 @@ TEST_F(stage04_viewer, both_engines_draw_the_same) {
   }
 }
 
+TEST_F(stage04_viewer, frames_make_the_folder_they_are_written_to) {
+  const ProcessResult result =
+      run_process({program("04_projection"), "--mesh", "builtin:cube", "--size", "20x20",
+                   "--frames", "2", "--out", (folder_ / "not/yet").string()});
+  EXPECT_EQ(result.exit_status, 0) << result.err;
+  for (const char* file : {"cube_0000.png", "cube_0001.png", "cube.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "not/yet" / file)) << file;
+  }
+}
+
 TEST_F(stage04_viewer, flags_of_later_stages_are_unknown) {
   for (const char* flag : {"--light", "--material", "--texture", "--shader"}) {
     expect_usage_error({"--mesh", "builtin:cube", flag, "1,1,1,0"}, flag);
