@@ -1,6 +1,10 @@
 #include "common/shaders/face_tangent.h"
 
+#include "common/image/check.h"
+
 namespace rasterlab {
+
+// <solution>
 namespace {
 
 /// A unit vector at a right angle to `normal`: one of many.
@@ -12,9 +16,11 @@ Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& normal) {
 }
 
 }  // namespace
+// </solution>
 
 FaceTangent face_tangent(const std::array<Eigen::Vector3f, 3>& corners,
                          const std::array<Eigen::Vector2f, 3>& texture_coordinates) {
+  // <solution>
   const Eigen::Vector3d first = corners[0].cast<double>();
   const Eigen::Vector3d edge_1 = corners[1].cast<double>() - first;
   const Eigen::Vector3d edge_2 = corners[2].cast<double>() - first;
@@ -31,6 +37,8 @@ FaceTangent face_tangent(const std::array<Eigen::Vector3f, 3>& corners,
     return {any_perpendicular(normal).cast<float>(), 1};
   }
   return {(along_u / length).cast<float>(), static_cast<float>(handedness)};
+  // <starter> throw NotWritten("07.4", corners, texture_coordinates);
+  // </solution>
 }
 
 }  // namespace rasterlab

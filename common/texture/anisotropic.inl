@@ -1,11 +1,14 @@
 // Exercise 06.4, fifth rung; the contract is in anisotropic.h.
 #pragma once
 
+#include "common/image/check.h"
+
 namespace rasterlab {
 
 template <class Number>
 Vector3<Number> sample_anisotropic(const Texture& texture, Wrap wrap,
                                    const Footprint<Number>& footprint) {
+  // <solution>
   constexpr int most_samples = 16;
   const auto ellipse = footprint_ellipse(texture, footprint);
   const Number ratio = ellipse.longer / maximum(ellipse.shorter, Number(1));
@@ -25,6 +28,8 @@ Vector3<Number> sample_anisotropic(const Texture& texture, Wrap wrap,
                   broadcast<Number>(Eigen::Vector3f::Zero()));
   }
   return sum / count;
+  // <starter> throw NotWritten("06.4", texture, wrap, footprint);
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -1,11 +1,14 @@
 // Exercise 06.4, second rung; the contract is in bilinear.h.
 #pragma once
 
+#include "common/image/check.h"
+
 namespace rasterlab {
 
 template <class Number>
 Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
                                   const Number& level_index) {
+  // <solution>
   const auto level = texture.level(level_index);
   const auto column = texel_pair(uv.x(), level.width, wrap);
   const auto row = texel_pair(uv.y(), level.height, wrap);
@@ -14,6 +17,8 @@ Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vecto
   const Vector3<Number> upper = blend(texture.texel(level, column.first, row.second),
                                       texture.texel(level, column.second, row.second), column.part);
   return blend(lower, upper, row.part) / Number(255);
+  // <starter> throw NotWritten("06.4", texture, wrap, uv, level_index);
+  // </solution>
 }
 
 }  // namespace rasterlab

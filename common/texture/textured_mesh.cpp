@@ -8,6 +8,8 @@
 #include <cstdint>
 
 namespace rasterlab {
+
+// <solution>
 namespace {
 
 using TextureCorners = std::array<Eigen::Vector2f, 3>;
@@ -27,6 +29,7 @@ Footprint<float> footprint(const TextureCorners& corners, const TrianglePixel& p
 }
 
 }  // namespace
+// </solution>
 
 void require_texture_coordinates(const Mesh& mesh) {
   if (mesh.texture_coordinates.empty()) {
@@ -35,6 +38,7 @@ void require_texture_coordinates(const Mesh& mesh) {
 }
 
 DrawCounts draw_textured_mesh(const LitMesh& lit_mesh, const Sampler& sampler, Frame& frame) {
+  // <solution>
   const Mesh& mesh = lit_mesh.mesh;
   require_texture_coordinates(mesh);
   const SurfaceLighting lighting(lit_mesh);
@@ -49,6 +53,8 @@ DrawCounts draw_textured_mesh(const LitMesh& lit_mesh, const Sampler& sampler, F
                          rasterlab::sample(sampler, footprint(coordinates(triangle), pixel));
                      return lighting.light(sample);
                    });
+  // <starter> throw NotWritten("06.2", lit_mesh, sampler, frame);
+  // </solution>
 }
 
 }  // namespace rasterlab

@@ -1,3 +1,4 @@
+#include "common/image/check.h"
 #include "common/texture/perspective_weights.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@ namespace {
 
 void weights_in_runs(const PerspectiveRow& row, std::size_t run_length,
                      std::span<Eigen::Vector3d> on_triangle) {
+  // <solution>
   if (row.weights.empty()) return;
   const std::size_t last = row.weights.size() - 1;
   on_triangle[0] = exact_weights(row.weights[0], row.inverse_w);
@@ -17,6 +19,8 @@ void weights_in_runs(const PerspectiveRow& row, std::size_t run_length,
         (on_triangle[end] - on_triangle[begin]) / static_cast<double>(end - begin);
     for (std::size_t x = begin + 1; x < end; ++x) on_triangle[x] = on_triangle[x - 1] + step;
   }
+  // <starter> throw NotWritten("06.3", row, run_length, on_triangle);
+  // </solution>
 }
 
 }  // namespace
