@@ -2,7 +2,8 @@
 // where a shader reads it.
 //
 // An attribute is made from a shader's inputs. It has a `Varying<Number>`, the members it adds to a
-// shader's varyings, and `at(mesh, triangle, corner)`, their values at a corner.
+// shader's varyings, and `at(mesh, triangle, corner)`, their values at a corner: `mesh` is the one
+// it was made with, `triangle` the index of one of its triangles, `corner` is 0, 1 or 2.
 #pragma once
 
 #include "common/mesh/shader_types.h"
@@ -19,7 +20,8 @@ inline std::uint32_t vertex_of(const Mesh& mesh, std::uint32_t triangle, int cor
   return mesh.triangles[triangle][static_cast<std::size_t>(corner)];
 }
 
-/// The mesh's texture coordinates. Throws InputError where it has none.
+/// The mesh's texture coordinates, v up, as they are: they may leave [0, 1]. The constructor throws
+/// InputError where the mesh has none.
 struct TextureCoordinates {
   template <class Number>
   struct Varying {
@@ -35,7 +37,7 @@ struct TextureCoordinates {
   }
 };
 
-/// The mesh's colours. Throws InputError where it has none.
+/// The mesh's colours, in [0, 1]. The constructor throws InputError where the mesh has none.
 struct VertexColors {
   template <class Number>
   struct Varying {
@@ -49,7 +51,7 @@ struct VertexColors {
   }
 };
 
-/// Where the point is in the world.
+/// Where the point is in the world: the model's matrix is affine.
 struct WorldPosition {
   template <class Number>
   struct Varying {
@@ -66,7 +68,9 @@ struct WorldPosition {
   }
 };
 
-/// The normals of the vertices in the world, of unit length at the corners.
+/// The normals of the vertices in the world, of unit length at the corners and, mixed, shorter
+/// between them. Zero at all corners under a model pressed to a line (normal_matrix.h). The
+/// constructor throws InputError where the mesh has none.
 struct VertexNormals {
   template <class Number>
   struct Varying {
@@ -80,8 +84,8 @@ struct VertexNormals {
   Varying<float> at(const Mesh& mesh, std::uint32_t triangle, int corner) const;
 };
 
-/// The normal of the face in the world: the same at all three corners, so that no rounding shows
-/// between them.
+/// The unit normal of the face in the world: the same at all three corners, so that no rounding
+/// shows between them. Zero for a face without area, and under a model pressed to a line.
 struct FaceNormals {
   template <class Number>
   struct Varying {
@@ -95,8 +99,11 @@ struct FaceNormals {
   Varying<float> at(const Mesh& mesh, std::uint32_t triangle, int corner) const;
 };
 
-/// Which way the texture runs along the face, in the world (face_tangent.h). v grows along
-/// handedness · (normal × tangent). The same at all three corners.
+/// Which way the texture runs along the face, in the world (face_tangent.h): a unit tangent, along
+/// which u grows, and ±1. v grows along handedness · (normal × tangent), also where the model's
+/// matrix is a mirror. The same at all three corners. The tangent is zero where the model is
+/// pressed flat along it. The constructor throws InputError where the mesh has no texture
+/// coordinates.
 struct Tangents {
   template <class Number>
   struct Varying {

@@ -1,7 +1,7 @@
 // Where a surface's colour comes from: the first of Surface's three parts.
 //
 // A colour source is made from a shader's inputs, says which attributes it reads, and gives the
-// colour of a point.
+// colour of a point: red, green, blue in [0, 1].
 #pragma once
 
 #include "common/mesh/shader_types.h"
@@ -11,7 +11,7 @@
 
 namespace rasterlab {
 
-/// One colour all over.
+/// One colour all over: the inputs', else default_color(), whatever colours the mesh has.
 struct ConstantColor {
   using Reads = Attributes<>;
 
@@ -26,7 +26,7 @@ struct ConstantColor {
   }
 };
 
-/// The colours of the corners, mixed.
+/// The colours of the mesh's corners, mixed. Needs a mesh with colours.
 struct VertexColor {
   using Reads = Attributes<VertexColors>;
 
@@ -44,7 +44,8 @@ Footprint<typename Point::Number> footprint_of(const Point& point) {
   return {point.value.uv, point.dx.uv, point.dy.uv};
 }
 
-/// A texture.
+/// A texture, by the filter of its sampler. The constructor throws InputError where the inputs have
+/// none or the mesh has no texture coordinates.
 struct TextureColor {
   using Reads = Attributes<TextureCoordinates>;
 

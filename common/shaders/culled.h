@@ -7,7 +7,9 @@
 namespace rasterlab {
 
 /// A pixel's fragment, discarded also where it shows the side that `cull` names, Cull::none naming
-/// neither. Front and back are as the camera sees them, wherever the light is.
+/// neither. Front and back are as the camera sees them, in any projection, under a model that
+/// mirrors too, and wherever the light is: `front_facing` of the pixel's SurfacePoint says which.
+/// The fragment's colour stays as it is.
 ///
 /// Source: B.culler.
 template <class Number>

@@ -20,7 +20,13 @@ SurfacePoint<Varyings, float> surface_point(const std::array<Varyings<float>, 3>
 
 /// Draws every triangle of the mesh, in order, into `frame` by a shader (shader_types.h): its
 /// vertex() for the three corners of each triangle of which a pixel is nearer than what was there,
-/// its fragment() for each such pixel. A discarded pixel keeps its colour and its depth.
+/// its fragment() for each such pixel. A discarded pixel keeps its colour and its depth, and so
+/// does every pixel of a face on the side that `cull` names.
+///
+/// `transforms` take the mesh's positions to clip space; colours are clamped to [0, 1] and rounded.
+/// Returns what became of triangles and pixels. An empty mesh and triangles without area draw
+/// nothing. Throws what the shader throws; cost: one test of depth for each covered pixel, one
+/// fragment() for each that passes.
 ///
 /// The shader's type is a template parameter: one loop in the source, one compiled for each shader,
 /// with no virtual call per pixel. Source: B.shaders.

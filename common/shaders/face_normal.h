@@ -9,7 +9,8 @@
 
 namespace rasterlab {
 
-/// The face's: every pixel of a face has the same.
+/// The face's: every pixel of a face has the same. Zero, which no light but the ambient reaches,
+/// where the face has no area. Source: B.flat.
 struct FaceNormal {
   using Reads = Attributes<FaceNormals>;
 

@@ -38,7 +38,8 @@ struct LightAtCorners {
 };
 
 /// Any light model, evaluated at the corners only: as cheap as there are few vertices, and blind to
-/// a highlight that falls between them.
+/// a highlight that falls between them. What is mixed is what the model gives, light and not
+/// colours, perspective-correctly: a texture stays sharp. Corners are lit as fronts.
 ///
 /// Source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers
 /// C-20(6), 1971; B.gouraud.

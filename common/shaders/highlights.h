@@ -10,8 +10,9 @@
 
 namespace rasterlab {
 
-/// Phong's reflection (common/lighting/phong.h) with the normal, light and eye of this very point.
-/// Source: B.phong.
+/// Phong's reflection (common/lighting/phong.h) with the normal, light and eye of this very point,
+/// all in the world. That header says what happens on a side turned away from light or eye, and to
+/// a normal that is zero. Source: B.phong.
 struct Phong {
   template <class NormalSource>
   using Reads = ReadsOfPointAndNormal<NormalSource>;
@@ -37,8 +38,8 @@ struct BlinnPhong : Phong {
                                               const NormalSource& normals) const;
 };
 
-/// Either of them, its highlight multiplied by what a texture's red says: a sea shines and the land
-/// does not.
+/// Either of them, its highlight multiplied by what a texture's red, in [0, 1], says: a sea shines
+/// and the land does not. The constructor throws InputError where the inputs have no specular map.
 template <class LightModel>
 struct SpecularMapped {
   template <class NormalSource>

@@ -13,7 +13,8 @@ namespace rasterlab {
 
 /// A surface cut to a lattice along its texture coordinates: of each of 32 × 16 cells the middle is
 /// a hole. Both sides are lit, each as if it faced the viewer: fronts in the surface's colour,
-/// backs in red.
+/// backs in red. No ambient light. Needs a mesh with normals and texture coordinates. Source:
+/// B.shaders, whose fragment() may refuse.
 struct Lattice {
   using Reads = Attributes<TextureCoordinates, WorldPosition, VertexNormals>;
   template <class Number>

@@ -2,7 +2,7 @@
 //
 // A light model is made from a shader's inputs, says which attributes it reads besides what a
 // surface's normals need, and gives what comes back from a point: a Shade, or a Reflection of
-// common/lighting. It asks for a normal only if it needs one.
+// common/lighting. It asks for a normal, a unit vector in the world, only if it needs one.
 #pragma once
 
 #include "common/lighting/reflection.h"
@@ -41,8 +41,9 @@ struct Unlit {
 template <class NormalSource>
 using ReadsOfPointAndNormal = United<Attributes<WorldPosition>, typename NormalSource::Reads>;
 
-/// The cosine of the angle between normal and light, 0 where the light is behind, times the light's
-/// intensity: Lambert's law, and no ambient light.
+/// The cosine of the angle between normal and light, 0 where the light is behind and where the
+/// normal is zero, times the light's intensity: Lambert's law, and no ambient light. May exceed 1
+/// with the intensity. Source: B.gouraud.
 struct Diffuse {
   template <class NormalSource>
   using Reads = ReadsOfPointAndNormal<NormalSource>;

@@ -10,7 +10,8 @@ namespace rasterlab {
 
 /// The vector that a normal map's colour stands for: 2c − 1 for each of red, green and blue, not
 /// renormalised. Red is along x (or the tangent), green along y, blue along z (or the normal);
-/// green grows with v.
+/// green grows with v. `color` is in [0, 1], the result in [−1, 1]; no code value of 8 bits gives
+/// exactly 0.
 template <class Number>
 Vector3<Number> vector_of_color(const Vector3<Number>& color) {
   return {Number(2) * color.x() - Number(1), Number(2) * color.y() - Number(1),
@@ -18,7 +19,8 @@ Vector3<Number> vector_of_color(const Vector3<Number>& color) {
 }
 
 /// A normal map in object space: its colours are normals of the mesh as it is in the file, which
-/// move with it. Filtering mixes normals, so the result is renormalised. Source: B.normal.
+/// move with it. Filtering mixes normals, so the result is renormalised, in the world. The
+/// constructor throws InputError where the inputs have no such map. Source: B.normal.
 struct ObjectSpaceNormalMap {
   using Reads = Attributes<TextureCoordinates>;
 
@@ -38,8 +40,9 @@ struct ObjectSpaceNormalMap {
 /// A normal given relative to the surface, turned into the space of the surface's own normal n and
 /// tangent, in which u grows: local.x · t + local.y · b + local.z · n, renormalised, where n is
 /// `normal` renormalised, t is `tangent` made perpendicular to n, and b = handedness · (n × t), the
-/// direction in which v grows. Where tangent and normal are parallel, local.x and local.y count for
-/// nothing.
+/// direction in which v grows. Where tangent and normal are parallel, or the tangent is zero,
+/// local.x and local.y count for nothing; where the normal is zero, local.y and local.z. What is
+/// then left being zero, so is the result.
 ///
 /// Source: B.normal; Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978.
 template <class Number>
@@ -50,6 +53,7 @@ Vector3<Number> normal_from_tangent_space(const Vector3<Number>& local,
 /// A normal map in tangent space: its colours are normals relative to the surface, (0, 0, 1) being
 /// the surface's own, so that one map fits any mesh, bent and mirrored too. The surface's own
 /// normal is that of the vertices, interpolated, and the tangent that of the face (face_tangent.h).
+/// The constructor throws InputError where the inputs have no such map.
 struct TangentSpaceNormalMap {
   using Reads = Attributes<TextureCoordinates, VertexNormals, Tangents>;
 

@@ -12,7 +12,8 @@ namespace rasterlab {
 template <class Number>
 Number quantize(const Number& value, int levels);
 
-/// Any light model that gives a shade, in five levels. Source: B.quantized.
+/// Any light model that gives a shade (light_models.h), in five levels: 0, ¼, ½, ¾ and 1. What is
+/// quantized is the light and not the colour, whose hue stays. Source: B.quantized.
 template <class LightModel>
 struct Quantized {
   static constexpr int levels = 5;
