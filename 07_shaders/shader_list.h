@@ -1,10 +1,9 @@
-// Every shader there is. A new one is a header and a line here: from it come `--shader NAME`, the
-// exercise code's rendering loop and the engine's, and a place in the picture of them all.
+// Every shader there is. A new one is a header in common/shaders, all of which are included here,
+// and a line: from it come `--shader NAME`, the exercise code's rendering loop and the engine's,
+// and a place in the picture of them all.
 #pragma once
 
-#include "common/shaders/lattice.h"
-#include "common/shaders/shader_table.h"
-#include "common/shaders/shaders.h"
+#include "common/shaders/every_shader.h"  // made by common/CMakeLists.txt
 
 #include <tuple>
 
