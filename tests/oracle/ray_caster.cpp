@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include <Eigen/LU>
+
 namespace rasterlab::oracle {
 
 namespace {
@@ -79,6 +81,7 @@ RayCaster::RayCaster(const Mesh& mesh, const Camera& camera, int width, int heig
     std::array<Eigen::Vector3d, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]].cast<double>();
     faces_.push_back(corners);
+    snapped_weights_.push_back(snapped_weights(corners));
   }
   order_.resize(faces_.size());
   std::iota(order_.begin(), order_.end(), 0);
@@ -163,6 +166,31 @@ Hit RayCaster::cast_plane(double x, double y, int face) const {
   return intersect(ray(x, y), face);
 }
 
+RayCaster::SnappedWeights RayCaster::snapped_weights(
+    const std::array<Eigen::Vector3d, 3>& corners) const {
+  Eigen::Matrix3d window;  // a column a corner: x, y, 1
+  Eigen::Vector3d w;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector4d clip = to_clip_ * corners[static_cast<std::size_t>(i)].homogeneous();
+    if (clip.z() < -clip.w() || clip.w() <= 0) return std::nullopt;
+    w[i] = clip.w();
+    window(0, i) = std::nearbyint((clip.x() / clip.w() + 1) * width_ / 2 * 256) / 256;
+    window(1, i) = std::nearbyint((1 - clip.y() / clip.w()) * height_ / 2 * 256) / 256;
+    window(2, i) = 1;
+  }
+  if (window.determinant() == 0) return std::nullopt;
+  return Eigen::Matrix3d(w.cwiseInverse().asDiagonal() * window.inverse());
+}
+
+Hit RayCaster::drawn_plane(double x, double y, int face) const {
+  Hit hit = cast_plane(x, y, face);
+  if (const SnappedWeights& snapped = snapped_weights_[static_cast<std::size_t>(face)]) {
+    const Eigen::Vector3d weights = *snapped * Eigen::Vector3d(x, y, 1);
+    hit.weights = weights / weights.sum();
+  }
+  return hit;
+}
+
 bool RayCaster::covers(double x, double y, int face) const {
   const Ray line = ray(x, y);
   const Hit hit = intersect(line, face);
@@ -207,6 +235,15 @@ Hit RayCaster::cast(double x, double y) const {
     }
   });
   return nearest;
+}
+
+std::vector<Hit> RayCaster::cast_through(double x, double y) const {
+  std::vector<Hit> hits;
+  traverse(ray(x, y), Hit::nothing, [&](const Hit& hit) { hits.push_back(hit); });
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return std::pair(a.ray_parameter, a.face) < std::pair(b.ray_parameter, b.face);
+  });
+  return hits;
 }
 
 bool RayCaster::is_near_crossing(double x, double y, const Hit& seen, double pixels) const {

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -61,9 +62,17 @@ class RayCaster {
   /// The nearest hit of the ray through window point (x, y).
   Hit cast(double x, double y) const;
 
+  /// All hits of that ray, the nearest first: what one sees through a face that refuses a pixel.
+  std::vector<Hit> cast_through(double x, double y) const;
+
   /// Where the ray meets the plane of one face, inside its outline or not: the attributes of that
   /// face continued.
   Hit cast_plane(double x, double y, int face) const;
+
+  /// The same as a picture shows it: corners snapped to 1/256 px, and attributes interpolated
+  /// perspective-correctly from the snapped corners (docs/conventions.md). Of a face that is cut at
+  /// the near plane, as it is.
+  Hit drawn_plane(double x, double y, int face) const;
 
   /// Whether window point (x, y) lies in the face's outline, on the visible side of the near plane
   /// and not culled.
@@ -102,11 +111,15 @@ class RayCaster {
     double distance;
   };
 
+  /// What takes (x, y, 1) to the weights, not yet divided by their sum, of a snapped face.
+  using SnappedWeights = std::optional<Eigen::Matrix3d>;
+
   Ray ray(double x, double y) const;
   template <class Visit>
   void traverse(const Ray& ray, const double& limit, Visit&& visit) const;
   Hit intersect(const Ray& ray, int face) const;
   bool is_culled(bool front) const;
+  SnappedWeights snapped_weights(const std::array<Eigen::Vector3d, 3>& corners) const;
   int build(int first, int count);
   double distance_of(const Eigen::Vector3d& point) const;
   std::vector<WindowPoint> outline(int face) const;
@@ -120,6 +133,7 @@ class RayCaster {
   Eigen::Matrix4d from_clip_;
   Eigen::RowVector4d view_axis_;  ///< distance along the view axis = view_axis_ · (p, 1)
   std::vector<std::array<Eigen::Vector3d, 3>> faces_;
+  std::vector<SnappedWeights> snapped_weights_;  ///< of each face
   std::vector<int> order_;
   std::vector<Node> nodes_;
 };

@@ -125,7 +125,7 @@ bool near_a_jump(const RayCaster& witness, double x, double y, const Hit& hit,
   for (const double dx : {-beside, beside}) {
     for (const double dy : {-beside, beside}) {
       if (here.key.empty()) continue;
-      const Hit there = witness.cast_plane(x + dx, y + dy, hit.face);
+      const Hit there = witness.drawn_plane(x + dx, y + dy, hit.face);
       if (shade(x + dx, y + dy, there).key != here.key) return true;
     }
   }
@@ -145,7 +145,8 @@ Agreement compare_colors(const RayCaster& witness, const Image<Rgb8>& picture,
   for (int y = 0; y < witness.height(); ++y) {
     for (int x = 0; x < witness.width(); ++x) {
       const auto pixel = static_cast<std::size_t>(y * witness.width() + x);
-      const Hit hit = witness.cast(x + 0.5, y + 0.5);
+      Hit hit = witness.cast(x + 0.5, y + 0.5);
+      if (hit.face >= 0) hit = witness.drawn_plane(x + 0.5, y + 0.5, hit.face);
       Shade expected{.color = Eigen::Vector3d::Zero()};
       if (hit.face >= 0) expected = shade(x + 0.5, y + 0.5, hit);
       if (edges[pixel] <= 1.0 / 128 ||

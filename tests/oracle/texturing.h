@@ -45,7 +45,7 @@ Shade sample(const DeepTexture& texture, const std::string& filter, const std::s
              const Steps& steps);
 
 /// Steps at a hit of window point (x, y): differences over a ten-thousandth of a pixel on the
-/// face's plane.
+/// face's plane as it is drawn.
 Steps steps_at(const RayCaster& witness, const Surface& surface, double x, double y, int face);
 
 }  // namespace rasterlab::oracle

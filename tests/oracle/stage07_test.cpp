@@ -1,0 +1,266 @@
+// The pictures of stage 07 against the ray caster: every shader, in double precision.
+#include "common/image/files.h"
+#include "common/mesh/read_mesh.h"
+#include "common/shaders/culled.h"
+#include "common/shaders/draw_shaded.h"
+#include "common/shaders/shaders.h"
+
+#include "tests/oracle/geometry_cases.h"
+#include "tests/oracle/shader_looks.h"
+#include "tests/oracle/soft_picture.h"
+#include "tests/support/places.h"
+#include "tests/support/scratch.h"
+
+#include <gtest/gtest.h>
+
+namespace rasterlab::oracle {
+namespace {
+
+namespace fs = std::filesystem;
+
+class stage07_witness_of : public testing::TestWithParam<GeometryCase> {};
+
+INSTANTIATE_TEST_SUITE_P(, stage07_witness_of, testing::ValuesIn(built_in_cases()),
+                         case_name<testing::TestParamInfo<GeometryCase>>);
+
+TEST_P(stage07_witness_of, sees_the_same) {
+  for (const char* engine : {"exercise", "tiled"}) {
+    EXPECT_GT(expect_geometry("07_shaders", GetParam(), {"--engine", engine}).drawn, 0)
+        << "nothing to compare";
+  }
+}
+
+/// The picture's channels brought into a range where 2c − 1 is a normal that leans, no more.
+Image<Rgb8> soft_normals() {
+  Image<Rgb8> image = soft_picture();
+  for (Rgb8& pixel : image.pixels()) {
+    pixel.r = static_cast<std::uint8_t>(64 + pixel.r / 2);
+    pixel.g = static_cast<std::uint8_t>(64 + pixel.g / 2);
+    pixel.b = static_cast<std::uint8_t>(192 + pixel.b / 4);
+  }
+  return image;
+}
+
+/// The textures as files, for the stage, and as the witness reads them.
+struct MapFiles {
+  fs::path color;
+  fs::path normal;
+  fs::path specular;
+
+  std::vector<std::string> flags() const {
+    return {"--texture",     color.string(),   "--normal-map",
+            normal.string(), "--specular-map", specular.string()};
+  }
+  Maps maps() const {
+    const auto read = [](const fs::path& file) { return DeepTexture(read_image<Rgb8>(file)); };
+    return {read(color), read(normal), read(specular)};
+  }
+};
+
+MapFiles write_soft_maps(const fs::path& folder) {
+  write_image(folder / "soft.png", soft_picture());
+  write_image(folder / "normals.png", soft_normals());
+  return {folder / "soft.png", folder / "normals.png", folder / "soft.png"};
+}
+
+/// One mesh from one side with its maps, to compare by many shaders.
+class ShaderCase {
+ public:
+  ShaderCase(const GeometryCase& geometry, const Lighting& lighting, const MapFiles& files)
+      : geometry_(geometry),
+        mesh_(read_mesh(geometry.mesh)),
+        witness_(mesh_, geometry.viewpoint.camera(geometry.width, geometry.height), geometry.width,
+                 geometry.height, geometry.cull),
+        surface_(mesh_),
+        maps_(files.maps()),
+        lighting_(lighting),
+        files_(files) {
+    lighting_.eye = eye_of(geometry.viewpoint);
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+  Image<Rgb8> take(const std::string& shader, const std::string& engine) const {
+    std::vector<std::string> flags = geometry_.viewpoint.flags();
+    for (const auto& more :
+         {lighting_.flags(), files_.flags(),
+          std::vector<std::string>{"--cull", cull_name(geometry_.cull), "--shader", shader,
+                                   "--filter", filter_of(shader), "--engine", engine}}) {
+      flags.insert(flags.end(), more.begin(), more.end());
+    }
+    return take_picture("07_shaders", geometry_.mesh, geometry_.width, geometry_.height, flags)
+        .color;
+  }
+
+  Agreement compare(const ShaderLook& look, const Image<Rgb8>& picture) const {
+    return compare_colors(witness_, picture, [&](double x, double y, const Hit& hit) {
+      return shade_look(look, scene(filter_of(look.name)), x, y, hit);
+    });
+  }
+
+  Agreement compare_lattice(const Image<Rgb8>& picture) const {
+    return compare_colors(witness_, picture, [&](double x, double y, const Hit&) {
+      return see_through_lattice(scene("trilinear"), x, y);
+    });
+  }
+
+ private:
+  /// Smaller levels of a texture are rounded to 8 bits. A colour is off by half a code for that,
+  /// but light on a normal by more than one: normal maps are compared at their finest level.
+  static std::string filter_of(const std::string& shader) {
+    const bool has_normals = std::any_of(
+        shader_looks().begin(), shader_looks().end(),
+        [&](const ShaderLook& look) { return look.name == shader && look.normal_mapped(); });
+    return has_normals ? "bilinear" : "trilinear";
+  }
+
+  ShadedScene scene(const std::string& filter) const {
+    return {witness_, surface_, lighting_, maps_, filter};
+  }
+
+  GeometryCase geometry_;
+  Mesh mesh_;
+  RayCaster witness_;
+  Surface surface_;
+  Maps maps_;
+  Lighting lighting_;
+  MapFiles files_;
+};
+
+void expect_agreement(const std::string& what, const Agreement& agreement) {
+  std::cout << what << ": " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << what << ": " << agreement;
+}
+
+const ShaderLook& look_named(const std::string& name) {
+  const auto& looks = shader_looks();
+  return *std::find_if(looks.begin(), looks.end(),
+                       [&](const ShaderLook& look) { return look.name == name; });
+}
+
+const Lighting near_light{.light = {2, 1.5, 2.5, 1}, .ambient = 0.1, .shininess = 10};
+
+TEST_P(stage07_witness_of, every_shader_shows_the_same) {
+  const ScratchFolder scratch;
+  const ShaderCase shaders(GetParam(), near_light, write_soft_maps(scratch.path()));
+  for (const char* engine : {"exercise", "tiled"}) {
+    for (const ShaderLook& look : shader_looks()) {
+      expect_agreement(look.name + ", " + engine,
+                       shaders.compare(look, shaders.take(look.name, engine)));
+    }
+  }
+}
+
+TEST_P(stage07_witness_of, one_sees_the_same_through_the_lattice) {
+  const ScratchFolder scratch;
+  const ShaderCase shaders(GetParam(), near_light, write_soft_maps(scratch.path()));
+  for (const char* engine : {"exercise", "tiled"}) {
+    expect_agreement(engine, shaders.compare_lattice(shaders.take("lattice", engine)));
+  }
+}
+
+TEST(stage07_witness, is_not_easily_satisfied) {
+  const ScratchFolder scratch;
+  const GeometryCase geometry{.name = "knot", .mesh = "builtin:torus_knot"};
+  const ShaderCase shaders(geometry, near_light, write_soft_maps(scratch.path()));
+  for (const auto& [drawn, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"phong", "blinn_phong"},
+           {"gouraud", "normal"},
+           {"gouraud", "quantized"},
+           {"normal", "normal_object"},
+           {"phong_normal_texture", "phong_all_maps"}}) {
+    const Agreement agreement =
+        shaders.compare(look_named(expected), shaders.take(drawn, "exercise"));
+    EXPECT_GT(agreement.wrong, 100) << drawn << " passes for " << expected;
+  }
+  EXPECT_GT(shaders.compare_lattice(shaders.take("phong", "exercise")).wrong, 100);
+}
+
+/// A mesh that maps the texture twice, the second time mirrored.
+fs::path mirrored_book(const fs::path& folder) {
+  write_file(folder / "book.obj",
+             "v -1 -1 0.4\nv 0 -1 0\nv 1 -1 0.4\nv -1 1 0.4\nv 0 1 0\nv 1 1 0.4\n"
+             "vt 1 0\nvt 0 0\nvt 1 1\nvt 0 1\n"
+             "f 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n");
+  return folder / "book.obj";
+}
+
+TEST(stage07_witness, mirrored_texture_coordinates_bend_the_same_way) {
+  const ScratchFolder scratch;
+  const GeometryCase geometry{
+      .name = "book", .mesh = mirrored_book(scratch.path()), .width = 160, .height = 120};
+  const ShaderCase shaders(geometry, near_light, write_soft_maps(scratch.path()));
+  for (const char* shader : {"normal", "phong_normal", "phong_all_maps"}) {
+    const Agreement agreement =
+        shaders.compare(look_named(shader), shaders.take(shader, "exercise"));
+    expect_agreement(shader, agreement);
+    EXPECT_GT(agreement.drawn, 4000);
+  }
+}
+
+TEST(stage07_witness, a_culled_shader_shows_the_same) {
+  for (const Cull cull : {Cull::back, Cull::front}) {
+    const GeometryCase geometry{.name = "torus", .mesh = "builtin:torus:12", .cull = cull};
+    const Camera camera = geometry.viewpoint.camera(geometry.width, geometry.height);
+    const Mesh mesh = read_mesh(geometry.mesh);
+    const ShaderInputs inputs = {.mesh = mesh,
+                                 .transforms = {.view = camera.view.cast<float>(),
+                                                .projection = camera.projection.cast<float>()},
+                                 .light = {.position = {1, 2, 3, 0}}};
+    Frame frame = make_frame(geometry.width, geometry.height);
+    const Culled<PhongSurface<ConstantColor>> shader{PhongSurface<ConstantColor>(inputs), cull};
+    draw_shaded(mesh, inputs.transforms, Cull::none, shader, frame);
+    const RayCaster witness(mesh, camera, geometry.width, geometry.height, cull);
+    const Surface surface(mesh);
+    const Lighting lighting{.eye = eye_of(geometry.viewpoint)};
+    expect_agreement(cull_name(cull),
+                     compare_colors(witness, frame.color, [&](double, double, const Hit& hit) {
+                       return shade_phong(surface, lighting, hit);
+                     }));
+  }
+}
+
+TEST(stage07_witness, models_no_one_here_wrote_show_the_same) {
+  const ScratchFolder scratch;
+  const MapFiles maps = write_soft_maps(scratch.path());
+  for (const GeometryCase& geometry : foreign_cases()) {
+    SCOPED_TRACE(geometry.mesh);
+    const ShaderCase shaders(geometry, near_light, maps);
+    std::vector<std::string> names{"flat", "phong"};
+    if (!shaders.mesh().texture_coordinates.empty()) names.push_back("phong_normal_texture");
+    for (const std::string& name : names) {
+      expect_agreement(geometry.mesh + ", " + name,
+                       shaders.compare(look_named(name), shaders.take(name, "exercise")));
+    }
+  }
+}
+
+/// The textured models beside the repository, which are no part of it.
+TEST(stage07_witness, real_textured_models_show_the_same) {
+  const fs::path folder = source_folder().parent_path() / "shared/data";
+  if (!fs::exists(folder / "spot")) {
+    GTEST_SKIP() << "NOT COMPARED: the textured models are not in " << folder;
+  }
+  const fs::path squirrel = folder / "frankie/flyingsquirrel_skin_col.png";
+  const fs::path fur = folder / "frankie/flyingsquirrel_skin_nor.png";
+  const fs::path cow = folder / "spot/spot_texture.png";
+  const std::vector<std::tuple<std::string, MapFiles, std::vector<std::string>>> models{
+      {"spot/spot_triangulated.obj", {cow, cow, cow}, {"flat_texture", "phong_texture"}},
+      {"frankie/Frankie.obj",
+       {squirrel, fur, squirrel},
+       {"gouraud_texture", "phong_texture", "phong_normal_texture"}}};
+  for (const auto& [file, maps, names] : models) {
+    GeometryCase geometry = framed("model", folder / file, read_mesh(folder / file));
+    geometry.width = 240;
+    geometry.height = 180;
+    const ShaderCase shaders(geometry, near_light, maps);
+    for (const std::string& name : names) {
+      const Agreement agreement = shaders.compare(look_named(name), shaders.take(name, "exercise"));
+      expect_agreement(file + ", " + name, agreement);
+      EXPECT_GT(agreement.drawn, 1000);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rasterlab::oracle
