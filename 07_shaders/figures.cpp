@@ -9,6 +9,7 @@
 #include "common/mesh/shapes.h"
 #include "common/projection/look_at.h"
 #include "common/projection/perspective.h"
+#include "common/projection/rotation.h"
 #include "common/shaders/culled.h"
 #include "common/shaders/draw_shaded.h"
 #include "common/shaders/shaders.h"
@@ -62,6 +63,23 @@ struct Planet {
 /// The pictures of four shaders, two by two.
 Image<Rgb8> two_by_two(const std::vector<Image<Rgb8>>& pictures) {
   return side_by_side(pictures, 2, 2, gap_color);
+}
+
+/// Once round in 24 frames, each a file, and all in one that plays. `draw(angle)`, in degrees,
+/// gives a frame.
+template <class Draw>
+void go_round(Run& run, const std::string& name, const Draw& draw) {
+  constexpr int frames = 24;
+  Animation animation;
+  for (int i = 0; i < frames; ++i) {
+    const Image<Rgb8> picture = draw(360.0F * static_cast<float>(i) / frames);
+    std::array<char, 8> number{};
+    std::snprintf(number.data(), number.size(), "_%04d", i);
+    run.picture(name + number.data(), picture);
+    animation.add(picture);
+    run.progress(name + " frame", i + 1, frames);
+  }
+  run.file(name + ".png", [&](const auto& path) { animation.write(path, 80); });
 }
 
 }  // namespace
@@ -147,34 +165,25 @@ void draw_four_phong_shaders(Run& run) {
 }
 
 void draw_turning_light(Run& run) {
-  constexpr int frames = 24;
   const Planet planet(24);
-  const Size size = run.size({80, 80});
   const Size alone = {240, 240};
   for (const auto& [name, image] : draw_all_shaders(planet.inputs(alone), alone)) {
     run.picture("07.7_" + name, image);
   }
-  Animation animation;
-  for (int i = 0; i < frames; ++i) {
+  const Size size = run.size({80, 80});
+  go_round(run, "07.7_light", [&](float angle) {
     ShaderInputs inputs = planet.inputs(size);
-    const float angle = 360.0F * static_cast<float>(i) / frames;
     inputs.light = turned_light(from_the_left, {0, 0, 0}, {0, 1, 0}, angle);
     std::vector<Image<Rgb8>> pictures;
     for (const ShadedPicture& shaded : draw_all_shaders(inputs, size)) {
       pictures.push_back(shaded.image);
     }
-    const Image<Rgb8> sheet = side_by_side(pictures, 6, 1, gap_color);
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "07.7_light_%04d", i);
-    run.picture(name.data(), sheet);
-    animation.add(sheet);
-    run.progress("07.7 frame", i + 1, frames);
-  }
-  run.file("07.7_light.png", [&](const auto& path) { animation.write(path, 80); });
+    return side_by_side(pictures, 6, 1, gap_color);
+  });
 }
 
 // A.Q31's weights: at the corners of a coarse knot and at every pixel of it, on the bunny; and a
-// planet with all its maps.
+// planet with all its maps, also from a camera that goes round it under the same light.
 void draw_phong_per_fragment(Run& run) {
   const Size size = run.size({360, 360});
   const auto inputs_for = [&](const Mesh& mesh, const Eigen::Vector3f& eye) {
@@ -194,6 +203,13 @@ void draw_phong_per_fragment(Run& run) {
   run.picture("07.8_bunny", picture_by_name("phong", inputs_for(bunny, {0.3F, 0.8F, 3.4F}), size));
   const Planet planet(64);
   run.picture("07.8_planet", picture_by_name("phong_all_maps", planet.inputs(size), size));
+  const Size small = run.size({160, 160});
+  go_round(run, "07.8_camera", [&](float angle) {
+    ShaderInputs from_there = planet.inputs(small);
+    const Eigen::Vector4f eye = rotation(angle, {0, 1, 0}) * Eigen::Vector4f(0, 1, 3, 1);
+    from_there.transforms = seen_from(eye.head<3>(), small);
+    return picture_by_name("phong_all_maps", from_there, small);
+  });
 }
 
 }  // namespace rasterlab
