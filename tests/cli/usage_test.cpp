@@ -220,6 +220,9 @@ TEST_P(cli_viewer, bad_values_are_refused) {
                                             {"--color", "1,2"},
                                             {"--color", "red"},
                                             {"--cull", "sideways"},
+                                            {"--engine", "warp"},
+                                            {"--threads", "-1"},
+                                            {"--simd", "mmx"},
                                             {"--frames", "0"},
                                             {"--frames", "-3"},
                                             {"--frames", "many"},
@@ -232,10 +235,7 @@ TEST_P(cli_viewer, bad_values_are_refused) {
         bad.end(),
         {{"--light", "1,2"}, {"--light", "x"}, {"--material", "1,2,3"}, {"--material", "q"}});
   if (stage_ >= "06") bad.insert(bad.end(), {{"--filter", "blurry"}, {"--wrap", "round"}});
-  if (stage_ >= "07")
-    bad.insert(
-        bad.end(),
-        {{"--shader", "none_such"}, {"--engine", "warp"}, {"--threads", "-1"}, {"--simd", "mmx"}});
+  if (stage_ >= "07") bad.push_back({"--shader", "none_such"});
   for (std::vector<std::string> arguments : bad) {
     arguments.insert(arguments.begin(), {"--mesh", "builtin:cube", "--size", "16x12"});
     expect_refusal(stage_, arguments, 2);
