@@ -43,6 +43,16 @@ class SceneInputs {
     const float g = real(0, 1);
     return {r, g, real(0, 1)};
   }
+  /// Each component in [low, high).
+  Eigen::Vector3f vector(float low, float high) {
+    const float x = real(low, high);
+    const float y = real(low, high);
+    return {x, y, real(low, high)};
+  }
+  /// A unit vector.
+  Eigen::Vector3f direction() {
+    return (vector(-1, 1) + Eigen::Vector3f(0, 0, 0.01F)).normalized();
+  }
 
  private:
   std::uint64_t number_;

@@ -1,0 +1,155 @@
+// Runs the exercises of stage 05 on made-up meshes, normals, lights and materials.
+#include "common/lighting/blinn_phong.h"
+#include "common/lighting/facing.h"
+#include "common/lighting/light_vertices.h"
+#include "common/lighting/phong.h"
+#include "common/lighting/power_pictures.h"
+#include "common/lighting/shading.h"
+#include "common/lighting/turned_light.h"
+#include "common/lighting/vertex_normals.h"
+#include "common/mesh/shapes.h"
+
+#include "grading/probes/lit_scene.h"
+#include "grading/probes/probe.h"
+
+namespace rasterlab::grading {
+namespace {
+
+void normals_scene(SceneInputs& scene, Results& results) {
+  Mesh mesh = make_shape(scene.example() ? "icosphere:1" : "cube:2");
+  for (Eigen::Vector3f& position : mesh.positions) position += scene.vector(-0.1F, 0.1F);
+  mesh.positions.emplace_back(5, 5, 5);  // a vertex of no triangle
+  mesh.triangles.push_back({0, 0, 1});   // a triangle without area
+  std::vector<double> numbers;
+  for (const Eigen::Vector3f& normal : vertex_normals(mesh))
+    numbers.insert(numbers.end(), {double(normal.x()), double(normal.y()), double(normal.z())});
+  results.numbers("the normals", numbers, 1e-5);
+}
+
+Light make_light(SceneInputs& scene) {
+  return {.position = {0, 0, 1, 0},
+          .intensity = scene.real(0.5F, 1.5F),
+          .ambient_intensity = scene.real(0.5F, 1.5F)};
+}
+
+Material make_material(SceneInputs& scene) {
+  if (scene.example()) return {};
+  const float ambient = scene.real(0.1F, 0.3F);
+  const float diffuse = scene.real(0.3F, 0.9F);
+  const float specular = scene.real(0.3F, 0.9F);
+  return {ambient, diffuse, specular, static_cast<float>(2 * scene.whole(1, 12))};
+}
+
+template <class Reflect>
+void reflection_scene(SceneInputs& scene, Results& results, Reflect reflect) {
+  std::vector<double> ambient, diffuse, specular;
+  const auto add = [&](const Eigen::Vector3f& n, const Eigen::Vector3f& l, const Eigen::Vector3f& e,
+                       const Light& light, const Material& material) {
+    const Reflection<float> reflection = reflect(n, l, e, light, material);
+    ambient.push_back(double(reflection.ambient));
+    diffuse.push_back(double(reflection.diffuse));
+    specular.push_back(double(reflection.specular));
+  };
+  for (int i = 0; i < 60; ++i) {
+    const Light light = make_light(scene);
+    const Material material = make_material(scene);
+    const Eigen::Vector3f n = scene.direction();
+    // Half of the lights and eyes are near the normal or its mirror image, where highlights are.
+    const Eigen::Vector3f l =
+        i % 2 == 0 ? scene.direction() : (n + 0.7F * scene.direction()).normalized();
+    const Eigen::Vector3f mirrored = 2 * n.dot(l) * n - l;
+    const Eigen::Vector3f e =
+        i % 3 == 0 ? scene.direction() : (mirrored + 0.4F * scene.direction()).normalized();
+    add(n, l, e, light, material);
+    add(-n, l, e, light, material);
+  }
+  add({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, make_light(scene), make_material(scene));
+  add({0, 0, 1}, {0, 0, -1}, {0, 0, -1}, make_light(scene), {0.1F, 0.5F, 0.5F, 0});
+  results.numbers("ambient", ambient, 1e-5);
+  results.numbers("diffuse", diffuse, 1e-5);
+  results.numbers("specular", specular, 2e-4);
+}
+
+void phong_scene(SceneInputs& scene, Results& results) {
+  reflection_scene(scene, results, &phong<float>);
+}
+
+void blinn_phong_scene(SceneInputs& scene, Results& results) {
+  reflection_scene(scene, results, &blinn_phong<float>);
+}
+
+void light_vertices_scene(SceneInputs& scene, Results& results) {
+  const Mesh mesh = make_shape(scene.example() ? "icosphere:1" : "torus:6");
+  std::vector<double> numbers;
+  for (const Color& color : light_vertices(lit_mesh(scene, mesh)))
+    numbers.insert(numbers.end(), {double(color.x()), double(color.y()), double(color.z())});
+  results.numbers("the vertices' colours", numbers, 1e-4);
+}
+
+void shading_scene(SceneInputs& scene, Results& results) {
+  const Mesh mesh = make_shape(scene.example() ? "icosphere:1" : "torus:6");
+  const LitMesh lit = lit_mesh(scene, mesh);
+  const auto add = [&](const std::string& name, ShadeFunction shade) {
+    Frame frame = make_frame(72, 60);
+    shade(lit, frame);
+    results.picture(name, frame.color, 1, 3);
+  };
+  add("flat", &shade_flat);
+  add("Gouraud", &shade_gouraud);
+  add("Phong", &shade_phong);
+}
+
+void turned_light_scene(SceneInputs& scene, Results& results) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 12; ++i) {
+    Light light = make_light(scene);
+    const Eigen::Vector3f position = scene.vector(-3, 3);
+    light.position = {position.x(), position.y(), position.z(), static_cast<float>(i % 2)};
+    const Eigen::Vector3f center = scene.vector(-1, 1);
+    const Eigen::Vector3f axis = scene.direction();
+    const Light turned = turned_light(light, center, axis, scene.real(0, 360));
+    for (const float number : turned.position) numbers.push_back(double(number));
+    numbers.push_back(double(turned.intensity));
+    numbers.push_back(double(turned.ambient_intensity));
+  }
+  results.numbers("the lights: position and intensities", numbers, 2e-5);
+}
+
+void power_scene(SceneInputs& scene, Results& results) {
+  const Mesh mesh = make_shape("icosphere:1");
+  const LitMesh lit = lit_mesh(scene, mesh);
+  const float power = scene.example() ? 0 : static_cast<float>(scene.whole(1, 10));
+  const PowerPictures pictures = draw_power(lit, power, 60, 50);
+  results.picture("the highlight alone", pictures.highlight, 1, 3);
+  results.picture("the sum", pictures.sum, 1, 3);
+}
+
+void facing_scene(SceneInputs& scene, Results& results) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 60; ++i) {
+    std::array<Eigen::Vector4f, 3> clip;
+    for (Eigen::Vector4f& corner : clip) {
+      const Eigen::Vector3f xyz = scene.vector(-2, 2);
+      corner = {xyz.x(), xyz.y(), xyz.z(), i < 20 ? 1 : scene.real(i < 40 ? 0.1F : -2, 2)};
+    }
+    if (i % 10 == 9) clip[2] = clip[1];
+    numbers.push_back(static_cast<double>(facing(clip, i % 4 == 3)));
+  }
+  results.numbers("which side is seen: 0 front, 1 back, 2 edge-on", numbers);
+}
+
+}  // namespace
+}  // namespace rasterlab::grading
+
+int main(int argc, char** argv) {
+  using namespace rasterlab::grading;
+  return run_probe(argc, argv,
+                   {{"05.1", normals_scene},
+                    {"05.2", phong_scene},
+                    {"05.3", blinn_phong_scene},
+                    {"05.4", light_vertices_scene},
+                    {"05.5", shading_scene},
+                    {"05.6", turned_light_scene},
+                    {"05.7", facing_scene},
+                    {"05.8", power_scene}});
+}
