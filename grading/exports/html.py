@@ -16,7 +16,8 @@ pre { overflow-x: auto; background: #8881; padding: .6rem; border-radius: 4px; f
 table { border-collapse: collapse; } td, th { padding: .2rem .7rem; text-align: left; border-bottom: 1px solid #8884; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; }
 .right { color: #1a7f37; } .wrong { color: #cf222e; } .failed { color: #9a6700; }
-figure { display: inline-block; margin: .5rem 1rem .5rem 0; vertical-align: top; }
+figure { display: inline-block; width: 258px; margin: .5rem 1rem .5rem 0; vertical-align: top; }
+figcaption { font-size: 14px; line-height: 1.3; }
 figure img { width: 256px; image-rendering: pixelated; border: 1px solid #8888; display: block; }
 .swap { position: relative; } .swap img + img { position: absolute; inset: 0; opacity: 0; }
 .swap:hover img + img, .swap:focus img + img { opacity: 1; }
@@ -84,14 +85,20 @@ def _exercise(entry: Json) -> str:
     if entry["verdict"] not in ("right", "by hand"):
         body += _paragraph(f"Read {entry['section']}, and the contract {entry['contract']}.")
     body += _pre(entry["compiler"])
-    return body + "".join(_scene(entry, scene) for scene in entry["scenes"])
+    body += "".join(_scene(entry, scene) for scene in entry["scenes"] if not scene["hidden"])
+    return body + _hidden_scenes([scene for scene in entry["scenes"] if scene["hidden"]])
+
+
+def _hidden_scenes(scenes: list[Json]) -> str:
+    if not scenes:
+        return ""
+    passed = ", ".join('<span class="right">pass</span>' if scene["verdict"] == "right"
+                       else '<span class="wrong">fail</span>' for scene in scenes)
+    return f"<h3>hidden scenes: {passed}</h3>\n"
 
 
 def _scene(entry: Json, scene: Json) -> str:
-    title = f"<h3>{html.escape(scene['name'])}: {_verdict(scene['verdict'])}</h3>\n"
-    if scene["hidden"]:
-        return title
-    body = title
+    body = f"<h3>{html.escape(scene['name'])}: {_verdict(scene['verdict'])}</h3>\n"
     for result in scene["results"]:
         if result["right"]:
             continue
@@ -99,7 +106,8 @@ def _scene(entry: Json, scene: Json) -> str:
         if kind := result.get("kind_of_wrong"):
             body += _paragraph(f"It looks {kind}.")
         body += _pictures(f"{entry['id']}/{scene['number']}", result.get("pictures", {}))
-        body += _pre(result.get("grid", ""))
+        if grid := result.get("grid"):
+            body += _paragraph("Each pixel: # drawn, ? missing, ! extra, x another value.") + _pre(grid)
     if not scene["results"]:
         body += _paragraph(scene["message"])
     if scene["printed"] and scene["verdict"] != "right":
@@ -137,7 +145,7 @@ def _grader_failures(records: list[Record]) -> str:
     failures = [(record.name, entry) for record in records for entry in record.exercises
                 if entry["verdict"] == "grader error"]
     if not failures:
-        return "<p>The grader failed nowhere.</p>\n"
+        return "<p>No failure of the grader.</p>\n"
     rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{html.escape(entry['id'])}</td>"
                    f"<td><pre>{html.escape(entry['message'])}</pre></td></tr>\n" for name, entry in failures)
     return (f'<h2 class="failed">Failures of the grader: {len(failures)}</h2>\n<p>These have no score, not a zero; '
@@ -174,7 +182,8 @@ def _commonest_mistakes(records: list[Record]) -> str:
         return ""
     rows = "".join(f'<tr><td class="number">{count}</td><td>{html.escape(exercise)}</td>'
                    f"<td>{html.escape(title)}</td></tr>\n" for (exercise, title), count in counts.most_common(20))
-    return f"<h2>Commonest mistakes</h2>\n<table>\n{rows}</table>\n"
+    return ("<h2>Commonest mistakes</h2>\n<table>\n<tr><th>answers</th><th></th><th>looks like</th></tr>\n"
+            f"{rows}</table>\n")
 
 
 def _students(records: list[Record]) -> str:
@@ -182,7 +191,8 @@ def _students(records: list[Record]) -> str:
         f'<tr><td><a href="students/{urllib.parse.quote(r.name)}/index.html">{html.escape(r.name)}</a></td>'
         f'<td class="number">{words.points(r.score)} / {r.max_score:g}</td>'
         f"<td>{html.escape('; '.join(r.data['notes']))}</td></tr>\n" for r in records)
-    return f"<h2>Submissions</h2>\n<table>\n{rows}</table>\n"
+    return ("<h2>Submissions</h2>\n<table>\n<tr><th>submission</th><th>points</th><th>notes</th></tr>\n"
+            f"{rows}</table>\n")
 
 
 def _limits(records: list[Record]) -> str:

@@ -37,11 +37,12 @@ def test_html_escapes_everything() -> None:
         assert "default-src 'none'" in page
 
 
-def test_hidden_scene_shows_its_verdict_only() -> None:
-    hidden = entry("01.5", "wrong", 1.0)
-    page = html.student(record(hidden))
+def test_hidden_scene_is_pass_or_fail_only() -> None:
+    one = entry("01.5", "wrong", 1.0)
+    one["scenes"][1]["verdict"] = "crash"
+    page = html.student(record(one))
     assert page.count("hidden scene") == 1
-    assert "message" not in hidden["scenes"][1]
+    assert "fail" in page and "crash" not in page
 
 
 def test_gradescope_schema() -> None:
@@ -57,8 +58,12 @@ def test_gradescope_schema() -> None:
 
 def test_grader_error_is_no_zero() -> None:
     graded = record(entry("01.5", "grader error", None), entry("01.6", "right", 3.0))
-    assert "score" not in json.loads(gradescope.export(graded))
-    assert json.loads(prairielearn.export(graded))["gradable"] is False
+    gradescope_results = json.loads(gradescope.export(graded))
+    assert "score" not in gradescope_results
+    assert not any("score" in test for test in gradescope_results["tests"])
+    prairielearn_results = json.loads(prairielearn.export(graded))
+    assert prairielearn_results["gradable"] is False
+    assert ["points" in test for test in prairielearn_results["tests"]] == [False, True]
     row = list(csv.DictReader(io.StringIO(grades.export([graded]))))[0]
     assert row["score"] == "" and row["01.5"] == "" and row["complete"] == "no"
     assert "not a zero" in html.student(graded)
