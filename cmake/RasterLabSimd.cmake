@@ -22,8 +22,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 set(RASTERLAB_SIMD_TARGETS "${every_target}" CACHE STRING "Instruction sets to compile for, narrowest first; scalar must be one")
 
-# The same list for C++. An installed package brings the header it was built with.
-if(NOT TARGET RasterLab::common)
+# The same list for C++. An installed package brings the header it was built with; a hand-out may leave the engine out.
+if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/../common/engine/compiled_simd_targets.h.in")
   list(TRANSFORM RASTERLAB_SIMD_TARGETS REPLACE "(.+)" "DO(\\1)" OUTPUT_VARIABLE each_target)
   list(JOIN each_target " " RASTERLAB_EACH_SIMD_TARGET)
   configure_file(common/engine/compiled_simd_targets.h.in generated/common/engine/compiled_simd_targets.h @ONLY)

@@ -16,11 +16,13 @@ import sys
 import tempfile
 from typing import Any
 
-from grading import catalogue, manifest
+from grading import catalogue, manifest, markers
 from grading.errors import GradingError, UsageError
 from grading.manifest import ROOT, Exercise
+from grading.ninja import CompiledObject, compiled_objects, included_files, link_command, run_tool
 
-BUILD = ROOT / "build" / "release"
+# Where the stages' programs are; tests of other builds say theirs.
+BUILD = pathlib.Path(os.environ.get("RASTERLAB_BUILD", ROOT / "build" / "release"))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -33,8 +35,16 @@ class Recipe:
 
 
 @dataclasses.dataclass(frozen=True)
-class WrongPicture:
+class WrongFile:
+    """An exercise's file with a wrong answer in it."""
+
     what: str  # "the known mistake 01.5_step_before_plot"
+    text: bytes
+
+
+@dataclasses.dataclass(frozen=True)
+class WrongPicture:
+    what: str
     path: pathlib.Path
 
 
@@ -91,76 +101,98 @@ def differs(actual: pathlib.Path, expected: pathlib.Path) -> bool:
 # --- pictures that must not pass ------------------------------------------------------------------
 
 
-def mistake_program(exercise: Exercise, mistake: catalogue.Mistake, folder: pathlib.Path) -> pathlib.Path | None:
-    """The stage's program with a known mistake in it; None where it is in no source file of its own."""
-    if not exercise.file.endswith(".cpp"):
-        return None
-    entries = json.loads((BUILD / "compile_commands.json").read_text())
-    command = next((shlex.split(e["command"]) for e in entries if e["file"] == str(ROOT / exercise.file)), None)
-    if command is None:
-        raise GradingError(f"{exercise.file} is not part of build/release")
-    source = folder / pathlib.PurePath(exercise.file).name
-    source.write_bytes(catalogue.wrong_file(mistake, exercise))
-    command[command.index("-o") + 1] = str(folder / "wrong.o")
-    command[command.index("-c") + 1] = str(source)
-    _run([token for token in command if token != "-Werror"], f"compiling {mistake.id}")
-    lines = subprocess.run(["ninja", "-C", str(BUILD), "-t", "commands", exercise.stage], capture_output=True,
-                           text=True, check=True).stdout.strip().splitlines()
-    tokens = [token for token in shlex.split(lines[-1]) if token not in (":", "&&")]
-    tokens.insert(tokens.index("-o"), str(folder / "wrong.o"))
-    program = folder / "stage"
-    tokens[tokens.index("-o") + 1] = str(program)
-    _run(tokens, f"linking {mistake.id}")
+def wrong_files(exercise: Exercise) -> list[WrongFile]:
+    """The starter, and the known mistakes."""
+    starter = markers.strip((ROOT / exercise.file).read_text(), as_starter=True, name=exercise.file)
+    return [WrongFile("the starter", starter.text.encode())] + [
+        WrongFile(f"the known mistake {mistake.id}", catalogue.wrong_file(mistake, exercise))
+        for mistake in catalogue.mistakes(exercise.stage) if mistake.exercise == exercise.id]
+
+
+def wrong_program(exercise: Exercise, wrong: WrongFile, folder: pathlib.Path) -> pathlib.Path:
+    """The stage's program with a wrong answer in it: what is made of the exercise's file is compiled anew with a
+    folder that holds the wrong one before all others, and linked first. The engine draws no exercise and stays."""
+    own = folder / "own" / exercise.file
+    own.parent.mkdir(parents=True)
+    own.write_bytes(wrong.text)
+    link = link_command(BUILD, exercise.stage)
+    included = included_files(BUILD)
+    for compiled in compiled_objects(BUILD):
+        concerns = exercise.file in (compiled.source, *included.get(compiled.output, ()))
+        in_stage = compiled.output in link
+        if not concerns or compiled.source.endswith(".simd.cpp") or not (in_stage or _is_of_library(compiled)):
+            continue
+        made = folder / (compiled.source.replace("/", ".") + ".o")
+        run_tool(_compile_command(compiled, exercise, folder / "own", made), f"compiling {wrong.what}", BUILD)
+        if in_stage:
+            link[link.index(compiled.output)] = str(made)
+        else:
+            link.insert(link.index("-o"), str(made))  # the library's own is then not asked for
+    program = folder / exercise.stage
+    link[link.index("-o") + 1] = str(program)
+    run_tool(link, f"linking {wrong.what}", BUILD)
     return program
 
 
-def _run(command: list[str], what: str) -> None:
-    done = subprocess.run(command, cwd=BUILD, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise GradingError(f"{what} failed:\n{done.stderr[-2000:]}")
+def _is_of_library(compiled: CompiledObject) -> bool:
+    return compiled.output.startswith("common/CMakeFiles/common.dir/")
 
 
-def mistake_pictures(exercise: Exercise, chosen: list[Recipe], folder: pathlib.Path) -> dict[str, list[WrongPicture]]:
-    """By picture file: what each known mistake of the exercise draws."""
+def _compile_command(compiled: CompiledObject, exercise: Exercise, own: pathlib.Path, made: pathlib.Path) -> list[str]:
+    command = [word for word in compiled.command if word != "-Werror"]
+    command[command.index("-o") + 1] = str(made)
+    if compiled.source == exercise.file:
+        command[command.index("-c") + 1] = str(own / exercise.file)
+    return [command[0], f"-I{own}", *command[1:]]
+
+
+def wrong_pictures(exercise: Exercise, chosen: list[Recipe], folder: pathlib.Path) -> dict[str, list[WrongPicture]]:
+    """By picture file: what the starter and each known mistake of the exercise draw."""
     found: dict[str, list[WrongPicture]] = {recipe.file: [] for recipe in chosen}
-    for mistake in catalogue.mistakes(exercise.stage):
-        if mistake.exercise != exercise.id:
-            continue
-        own = folder / mistake.id
-        own.mkdir(parents=True)
-        program = mistake_program(exercise, mistake, own)
-        for recipe in chosen if program else []:
-            picture = make_picture(recipe, own / "out", program)
+    for i, wrong in enumerate(wrong_files(exercise)):
+        program = wrong_program(exercise, wrong, folder / str(i))
+        for recipe in chosen:
+            picture = make_picture(recipe, folder / str(i) / "out", program)
             if picture is not None:
-                found[recipe.file].append(WrongPicture(f"the known mistake {mistake.id}", picture))
+                found[recipe.file].append(WrongPicture(wrong.what, picture))
     return found
 
 
 def other_pictures(exercise: Exercise, folder: pathlib.Path, after: pathlib.Path) -> list[WrongPicture]:
-    """An empty picture of the same size, and the references of all other exercises."""
+    """An empty picture of the same size, and the references of that size of all other exercises."""
     empty = folder / "empty.png"
-    _run([str(BUILD / "bin" / "imgdiff"), str(after), str(after), "--out", str(empty)], "making an empty picture")
-    wrong = [WrongPicture("an empty picture, which is what a starter leaves", empty)]
+    run_tool([str(BUILD / "bin" / "imgdiff"), str(after), str(after), "--out", str(empty)], "making an empty picture")
+    wrong = [WrongPicture("an empty picture", empty)]
     for stage in manifest.STAGES:
         for path in sorted((ROOT / stage / "expected").glob("*.png")):
-            if not path.name.startswith(exercise.id + "_"):
+            if not path.name.startswith(exercise.id + "_") and _png_size(path) == _png_size(after):
                 wrong.append(WrongPicture(f"the picture {path.name} of another exercise", path))
     return wrong
+
+
+def _png_size(path: pathlib.Path) -> bytes:
+    """Width and height as they stand in the file's head."""
+    with path.open("rb") as file:
+        return file.read(24)[16:]
+
+
+def unseen(after: pathlib.Path, wrong: list[WrongPicture]) -> list[str]:
+    """Wrong answers that draw the very same picture: it does not show them."""
+    return [picture.what for picture in wrong if not differs(picture.path, after)]
 
 
 def refused(recipe: Recipe, after: pathlib.Path, wrong: list[WrongPicture]) -> list[str]:
     """The wrong pictures that the recipe's tolerance would let pass though they differ."""
     return [f"{recipe.file}: max_difference {recipe.max_difference:g} in {recipe.total_pixels} pixels would let "
             f"pass {picture.what}" for picture in wrong
-            if differs(picture.path, after) and passes(picture.path, after, recipe.max_difference, recipe.total_pixels)]
+            if passes(picture.path, after, recipe.max_difference, recipe.total_pixels) and differs(picture.path, after)]
 
 
 # --- the command ----------------------------------------------------------------------------------
 
 
-def show(recipe: Recipe, after: pathlib.Path, out: pathlib.Path, stage: str) -> bool:
+def show(recipe: Recipe, before: pathlib.Path, after: pathlib.Path, out: pathlib.Path) -> bool:
     """Copies before, after and difference to where one can look at them. Returns whether anything differs."""
-    before = ROOT / stage / "expected" / recipe.file
     stem = pathlib.PurePath(recipe.file).stem
     out.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(after, out / f"{stem}_after.png")
@@ -199,30 +231,56 @@ def options_of(arguments: list[str]) -> argparse.Namespace:
     return parser.parse_args(arguments)
 
 
+def build(stage: str) -> None:
+    if not (BUILD / "build.ninja").exists():
+        run_tool(["cmake", "--preset", "release", "-B", str(BUILD)], "configuring")
+    run_tool(["ninja", "-C", str(BUILD), stage, "imgdiff"], f"building {stage}")
+
+
+def make_pictures(chosen: list[Recipe], folder: pathlib.Path) -> dict[str, pathlib.Path]:
+    pictures: dict[str, pathlib.Path] = {}
+    for recipe in chosen:
+        made = make_picture(recipe, folder)
+        if made is None:
+            raise GradingError(f"{recipe.command}: expected it to write {recipe.file}")
+        pictures[recipe.file] = made
+    return pictures
+
+
+def check_tolerances(exercise: Exercise, chosen: list[Recipe], pictures: dict[str, pathlib.Path],
+                     folder: pathlib.Path) -> None:
+    """Throws where a wrong picture would pass for a reference, and says which mistakes a reference does not show."""
+    wrong = wrong_pictures(exercise, chosen, folder)
+    faults: list[str] = []
+    for recipe in chosen:
+        after = pictures[recipe.file]
+        faults += refused(recipe, after, [*other_pictures(exercise, folder, after), *wrong[recipe.file]])
+        for what in unseen(after, wrong[recipe.file]):
+            print(f"{recipe.file}: {what} draws the same")
+    if faults:
+        raise GradingError("refused:\n" + "\n".join(faults))
+
+
+def replace(pictures: list[pathlib.Path], expected: pathlib.Path) -> None:
+    for picture in pictures:
+        unfinished = expected / f".{picture.name}"
+        shutil.copyfile(picture, unfinished)
+        unfinished.rename(expected / picture.name)
+        print(f"wrote {expected / picture.name}")
+
+
 def main(arguments: list[str]) -> int:
     options = options_of(arguments)
     exercise = find_exercise(options.exercise)
     chosen = recipes(exercise)
+    build(exercise.stage)
     with tempfile.TemporaryDirectory(prefix="rasterlab-bless-") as name:
         folder = pathlib.Path(name)
-        pictures: dict[str, pathlib.Path] = {}
-        for recipe in chosen:
-            made = make_picture(recipe, folder / "out")
-            if made is None:
-                raise GradingError(f"{recipe.command}: expected it to write {recipe.file}")
-            pictures[recipe.file] = made
-        mistakes = mistake_pictures(exercise, chosen, folder)
-        faults = [fault for recipe in chosen
-                  for fault in refused(recipe, pictures[recipe.file],
-                                       other_pictures(exercise, folder, pictures[recipe.file]) + mistakes[recipe.file])]
-        if faults:
-            raise GradingError("refused:\n" + "\n".join(faults))
-        changed = [recipe for recipe in chosen
-                   if show(recipe, pictures[recipe.file], options.out / exercise.id, exercise.stage)]
+        pictures = make_pictures(chosen, folder / "out")
+        check_tolerances(exercise, chosen, pictures, folder)
+        expected = ROOT / exercise.stage / "expected"
+        changed = [pictures[recipe.file] for recipe in chosen
+                   if show(recipe, expected / recipe.file, pictures[recipe.file], options.out / exercise.id)]
         if changed and confirmed(options):
-            for recipe in changed:
-                target = ROOT / exercise.stage / "expected" / recipe.file
-                shutil.copyfile(pictures[recipe.file], target.with_name("." + target.name))
-                target.with_name("." + target.name).rename(target)
-                print(f"wrote {target.relative_to(ROOT)}")
+            replace(changed, expected)
     return 0

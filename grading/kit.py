@@ -1,6 +1,6 @@
 """What submissions are graded against: the reference, built and taken apart.
 
-A kit is made from this very tree by the CMake preset `grade`. It holds the headers a student's file may see,
+A kit is made from this very tree, in build/grade. It holds the headers a student's file may see,
 the reference's objects (one archive per exercise, so that a student's file never meets the answer it
 replaces) and what the reference computes for each scene.
 """
@@ -9,18 +9,15 @@ import dataclasses
 import fcntl
 import functools
 import hashlib
-import json
 import os
 import pathlib
-import shlex
 import shutil
-import subprocess
 import sys
 import threading
 
-from grading import manifest
-from grading.errors import GradingError
+from grading import manifest, ninja
 from grading.manifest import ROOT, Exercise
+from grading.ninja import run_tool
 
 BUILD = ROOT / "build" / "grade"
 KIT = ROOT / "build" / "kit"
@@ -58,14 +55,6 @@ class Unit:
     headers: tuple[str, ...]
 
 
-def run_tool(command: list[str], what: str) -> str:
-    """Runs a trusted program of ours; its failure is the grader's."""
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise GradingError(f"{what} failed:\n{done.stdout}{done.stderr}"[-4000:])
-    return done.stdout
-
-
 class Kit:
     def __init__(self, stages: list[str], secret: str) -> None:
         self.stages = stages
@@ -90,7 +79,8 @@ class Kit:
     def _build(self) -> None:
         """Compiles what the probes and the judge need: neither engine nor viewer, which nobody is asked for."""
         if not (BUILD / "build.ninja").exists():
-            run_tool(["cmake", "--preset", "grade"], "configuring the reference")
+            run_tool(["cmake", "--preset", "release", "-B", str(BUILD), "-D", "RASTERLAB_TESTS=OFF",
+                      "-D", "RASTERLAB_BENCHMARKS=OFF", "-D", "RASTERLAB_GRADING=ON"], "configuring the reference")
         # Re-runs CMake where files came or went; the list of what to compile is only good after that.
         run_tool(["ninja", "-C", str(BUILD), "build.ninja"], "configuring the reference")
         sources = [*self.library_sources, *JUDGE_SOURCES]
@@ -204,11 +194,9 @@ class Kit:
         return frozenset(exercise.file for exercise in self.all_exercises if not exercise.grading.by_hand)
 
     @functools.cached_property
-    def commands(self) -> dict[str, list[str]]:
-        """Source file, as in the repository, to its compile command."""
-        entries = json.loads((BUILD / "compile_commands.json").read_text())
-        return {str(pathlib.Path(entry["file"]).relative_to(ROOT)): shlex.split(entry["command"])
-                for entry in entries if pathlib.Path(entry["file"]).is_relative_to(ROOT)}
+    def commands(self) -> dict[str, tuple[str, ...]]:
+        """Source file to how it is compiled."""
+        return {compiled.source: compiled.command for compiled in ninja.compiled_objects(BUILD)}
 
     @functools.cached_property
     def library_sources(self) -> list[str]:
@@ -237,8 +225,7 @@ class Kit:
     @functools.cached_property
     def libraries(self) -> list[str]:
         """Debian's libraries that the reference links."""
-        lines = run_tool(["ninja", "-C", str(BUILD), "-t", "commands", "rasterlab_judge"], "ninja")
-        tokens = shlex.split(lines.strip().splitlines()[-1])
+        tokens = ninja.link_command(BUILD, "rasterlab_judge")
         # As needed: loading libraries that nothing calls would take longer than most scenes.
         return ["-Wl,--as-needed", *(t for t in tokens if t.startswith("/usr/lib/") or t.startswith("-l"))]
 
@@ -250,23 +237,10 @@ class Kit:
 
     @functools.cached_property
     def dependencies(self) -> dict[str, frozenset[str]]:
-        """Source file to the files of ours that it includes, as the compiler told ninja."""
-        found: dict[str, frozenset[str]] = {}
-        objects = {str(object_path(source).relative_to(BUILD)): source for source in self.commands}
-        current: list[str] = []
-        name = ""
-        for line in [*run_tool(["ninja", "-C", str(BUILD), "-t", "deps"], "ninja").splitlines(), ""]:
-            if line.startswith("    "):
-                path = pathlib.Path(os.path.normpath(BUILD / line.strip()))
-                if path.is_relative_to(ROOT):
-                    current.append(path.relative_to(ROOT).as_posix())
-            elif line:
-                name = line.split(":")[0]
-            elif name in objects:
-                found[objects[name]] = frozenset(current)
-            if not line:
-                current = []
-        return found
+        """Source file to the files of ours that it includes."""
+        included = ninja.included_files(BUILD)
+        objects = {source: str(object_path(source).relative_to(BUILD)) for source in self.commands}
+        return {source: included[name] for source, name in objects.items() if name in included}
 
     def scenes(self, exercise: Exercise) -> list[Scene]:
         public = [Scene(0, False), Scene(1, False)]

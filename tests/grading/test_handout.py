@@ -6,6 +6,7 @@ import subprocess
 import pytest
 
 from grading import archive, handout, manifest, selftest
+from grading.errors import GradingError
 from grading.kit import Kit
 
 STAGES = selftest.graded_stages()
@@ -59,3 +60,34 @@ def test_checksums_are_sha256sums(tmp_path: pathlib.Path) -> None:
     (tmp_path / "a").write_text("text")
     (tmp_path / archive.CHECKSUMS).write_text(archive.checksums(tmp_path))
     subprocess.run(["sha256sum", "--check", "--quiet", archive.CHECKSUMS], cwd=tmp_path, check=True)
+
+
+def test_a_starter_is_proved_before_it_is_handed_out(tmp_path: pathlib.Path) -> None:
+    out = tmp_path / "starter"
+    assert handout.main(["--stage", "01", "--out", str(out), "--archive", str(tmp_path / "a.tar.gz"), "--quick", "-q"]) == 0
+    subprocess.run(["sha256sum", "--check", "--quiet", archive.CHECKSUMS], cwd=out, check=True)
+    assert not (out / "build").exists() and not (out / ".git").exists()
+    assert (tmp_path / "a.tar.gz").read_bytes() == archive.tar_gz(out, "rasterlab")
+
+
+def test_tests_that_fail_otherwise_stop_the_hand_out() -> None:
+    exercises = [e for e in manifest.exercises("01_lines") if e.id == "01.7"]
+    unwritten = {"stage01.draw_line.ends": ("fail", 'C++ exception: "exercise 01.7 is not written yet"')}
+    assert "1 say" in handout.check_tests(unwritten, exercises)
+    with pytest.raises(GradingError, match="fails otherwise"):
+        handout.check_tests({**unwritten, "image.size": ("fail", "expected 3")}, exercises)
+    with pytest.raises(GradingError, match="no test of 01.7"):
+        handout.check_tests({"image.size": ("run", "")}, exercises)
+
+
+def test_stages_that_say_nothing_stop_the_hand_out() -> None:
+    exercises = [e for e in manifest.exercises("01_lines") if e.id in ("01.7", "01.8")]
+    said = "01.7: needs 01.8, which is not written yet\n"
+    with pytest.raises(GradingError, match="of 01.8"):
+        handout.check_stages(said, exercises)
+    handout.check_stages(said + "01.8: not written yet\n", exercises)
+
+
+def test_lines_that_link_to_later_stages_are_left_out() -> None:
+    readme = handout.make_starter(["02_triangles"]).files["README.md"].decode()
+    assert "](02_triangles/README.md)" in readme and "03_zbuffer/" not in readme
