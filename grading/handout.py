@@ -134,9 +134,10 @@ def _bare(line: str) -> str:
 
 
 def _is_telling(line: str) -> bool:
-    """Whether a line could give an answer away: long enough, and neither a comment, a loop's head nor an
-    include, which the contracts and the code around show anyway."""
-    return not line.strip().startswith(("#include", "//", "for (")) and len(_bare(line)) >= TELLING_LENGTH
+    """Whether a line could give an answer away: long enough, and neither a comment, an include, a loop's head nor
+    a variable without a value, which the contracts and the code around show anyway."""
+    says_nothing = re.match(r"#include|//|for \(|[\w:<>, ]+;$", line.strip())
+    return not says_nothing and len(_bare(line)) >= TELLING_LENGTH
 
 
 def check_leaks(starter: Starter, kit: Kit) -> None:

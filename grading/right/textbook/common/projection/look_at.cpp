@@ -1,4 +1,5 @@
-// A right answer written differently: the camera is put into the world by its axes and its place, and that is undone.
+// A right answer written differently: the camera is put into the world by its axes and its place,
+// and that is undone.
 #include "common/projection/look_at.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// A right answer written differently: gluPerspective's own formula, and its limit where far is infinite.
+// A right answer written differently: gluPerspective's own formula, and its limit where far is
+// infinite.
 #include "common/projection/perspective.h"
 
 #include "common/image/check.h"
