@@ -175,7 +175,6 @@ TEST_P(cli_stage, statistics_are_one_json_object) {
   EXPECT_EQ(result.exit_status, 0) << result.err;
   const nlohmann::json statistics = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_TRUE(statistics.is_object()) << result.out;
-  ASSERT_TRUE(statistics.contains("milliseconds")) << result.err;
   EXPECT_GE(statistics.at("milliseconds").at(id).get<double>(), 0);
 }
 
@@ -191,7 +190,7 @@ TEST_P(cli_stage, every_listed_rung_can_be_chosen) {
     const ProcessResult result =
         run_here({"--algorithm", name, "--size", "64x48", "--out", scratch_ / name});
     EXPECT_EQ(result.exit_status, 0) << name << ": " << result.err;
-    EXPECT_FALSE(files_in(scratch_ / name).empty()) << name << ": " << result.err;
+    EXPECT_FALSE(files_in(scratch_ / name).empty()) << name;
   }
   EXPECT_GE(count, 2) << list.out;
 }
