@@ -1,5 +1,8 @@
 #include "bench/engine/report.h"
 
+#include "bench/support/provenance.h"
+#include "bench/support/statistics.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,41 +15,6 @@ namespace {
 
 constexpr double ratio_target = 5;
 constexpr double mean_target = 10;
-
-std::string first_line_of(const char* command) {
-  std::string line;
-  if (FILE* pipe = popen(command, "r")) {
-    std::array<char, 256> buffer{};
-    if (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) line = buffer.data();
-    pclose(pipe);
-  }
-  while (!line.empty() && line.back() == '\n') line.pop_back();
-  return line;
-}
-
-const std::string& commit() {
-  static const std::string name =
-      first_line_of("git -C '" RASTERLAB_SOURCE "' describe --always --dirty 2>/dev/null");
-  return name;
-}
-
-const std::string& machine() {
-  static const std::string name =
-      first_line_of("grep -m1 'model name' /proc/cpuinfo | cut -d: -f2");
-  return name;
-}
-
-double smallest(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
-}
-
-/// Distance between the quartiles, as a part of the median.
-double spread(std::vector<double> values) {
-  if (values.size() < 4) return 0;
-  const double middle = median(values);
-  std::sort(values.begin(), values.end());
-  return (values[values.size() * 3 / 4] - values[values.size() / 4]) / middle;
-}
 
 double geometric_mean(const std::vector<Result>& results, int threads,
                       double (Result::*ratio)() const = &Result::ratio) {
@@ -122,14 +90,6 @@ constexpr std::array<Column, 18> columns = {{{"scene", -20},
                                              {"peak MB", 8}}};
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const std::size_t middle = values.size() / 2;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(middle),
-                   values.end());
-  return values[middle];
-}
 
 double Result::ratio() const {
   return ours.empty() || peer.empty() ? 0 : median(peer) / median(ours);

@@ -27,8 +27,6 @@ struct Result {
   double cpu_ratio() const;
 };
 
-double median(std::vector<double> values);
-
 /// One object per result, with at least scene, shading, threads, ours_ms, peer_ms, ratio, commit.
 nlohmann::json to_json(const std::vector<Result>& results);
 std::vector<Result> from_json(const nlohmann::json& json);

@@ -6,13 +6,13 @@
 namespace rasterlab {
 
 std::int64_t fill_spans(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
-  const ColorRun run(color);
+  const ColorRun span(color);
   Rgb8* const first = image.row(0);
   const std::ptrdiff_t width = image.width();
   std::int64_t pixels = 0;
   for_each_wide_span(corners, image.width(), image.height(),
-                     [&run, &pixels, first, width](int y, int begin, int end) {
-                       run.fill(first + (y * width + begin), end - begin);
+                     [&span, &pixels, first, width](int y, int begin, int end) {
+                       span.fill(first + (y * width + begin), end - begin);
                        pixels += end - begin;
                      });
   return pixels;

@@ -48,18 +48,6 @@ struct IntegerTriangle {
   }
 };
 
-VisibilityScene pair(double distance, double delta, bool nearer_last) {
-  VisibilityScene scene{.width = 32, .height = 32, .near = 0.5F, .far = 50000, .triangles = {}};
-  for (const bool nearer : {!nearer_last, nearer_last}) {
-    const double scale = nearer ? distance : distance * (1 + delta);
-    VisibilityTriangle& triangle = scene.triangles.emplace_back();
-    triangle.corners = {Eigen::Vector2f(1, 2), Eigen::Vector2f(31, 10), Eigen::Vector2f(5, 30)};
-    triangle.distances = {static_cast<float>(scale), static_cast<float>(1.5 * scale),
-                          static_cast<float>(2 * scale)};
-  }
-  return scene;
-}
-
 }  // namespace
 
 VisibilityFaults visibility_faults(const VisibleTriangles& seen, const VisibilityScene& scene) {
@@ -102,11 +90,23 @@ VisibilityScene piercing_triangles() {
   return scene;
 }
 
+VisibilityScene nearly_coplanar_pair(double distance, double delta, bool nearer_last) {
+  VisibilityScene scene{.width = 32, .height = 32, .near = 0.5F, .far = 50000, .triangles = {}};
+  for (const bool nearer : {!nearer_last, nearer_last}) {
+    const double scale = nearer ? distance : distance * (1 + delta);
+    VisibilityTriangle& triangle = scene.triangles.emplace_back();
+    triangle.corners = {Eigen::Vector2f(1, 2), Eigen::Vector2f(31, 10), Eigen::Vector2f(5, 30)};
+    triangle.distances = {static_cast<float>(scale), static_cast<float>(1.5 * scale),
+                          static_cast<float>(2 * scale)};
+  }
+  return scene;
+}
+
 double wrong_share_of_pair(VisibilityFunction rung, double distance, double delta) {
   int wrong = 0;
   int covered = 0;
   for (const bool nearer_last : {false, true}) {
-    const VisibleTriangles seen = rung(pair(distance, delta, nearer_last));
+    const VisibleTriangles seen = rung(nearly_coplanar_pair(distance, delta, nearer_last));
     for (const std::int32_t shown : seen.pixels()) {
       if (shown < 0) continue;
       ++covered;

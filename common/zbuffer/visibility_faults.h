@@ -23,10 +23,12 @@ VisibilityFaults visibility_faults(const VisibleTriangles& seen, const Visibilit
 /// 30 random triangles that pierce each other, in 128 × 128, between distances 1 and 10.
 VisibilityScene piercing_triangles();
 
-/// The share, from 0 to 1, of wrong pixels of two triangles of one shape in 32 × 32, drawn in
-/// either order. The corners of one are at 1, 1.5 and 2 times `distance` from the eye, those of the
-/// other at (1 + delta) times as much, so that it is farther everywhere; the near plane is at 0.5,
-/// the far one at 50 000.
+/// Two triangles of one shape in 32 × 32: the corners of one are at 1, 1.5 and 2 times `distance`
+/// from the eye, those of the other at (1 + delta) times as much, so that it is farther everywhere;
+/// the near plane is at 0.5, the far one at 50 000.
+VisibilityScene nearly_coplanar_pair(double distance, double delta, bool nearer_last);
+
+/// The share, from 0 to 1, of wrong pixels of such a pair, drawn in either order.
 double wrong_share_of_pair(VisibilityFunction rung, double distance, double delta);
 
 /// Wrong pixels of every rung: of the piercing triangles, and of pairs over five decades of
