@@ -115,14 +115,15 @@ struct TileBin {
   bool empty() const { return small.first == nullptr && large.first == nullptr; }
 };
 
-/// Room for shading a tile, kept from one to the next.
+/// Room for shading a tile, kept from one to the next (visible_triangles.h).
 struct ShadingScratch {
-  std::vector<std::int32_t> slot;      ///< per pixel: its triangle's place in `key`
-  std::vector<std::uint32_t> key;      ///< triangles that are seen in the tile
-  std::vector<std::uint32_t> clipped;  ///< those of them that had to be clipped
-  std::vector<std::uint32_t> table;    ///< hash table from key to place
-  std::vector<double> geometry;
-  std::vector<float> varyings;
+  std::vector<std::int32_t> slot;        ///< per pixel: its triangle's place in `key`, or −1
+  std::vector<std::int32_t> block_slot;  ///< per block, when all its pixels have the same slot
+  std::vector<std::uint32_t> key;        ///< triangles that are seen in the tile
+  std::vector<std::uint32_t> clipped;    ///< those of them that had to be clipped
+  std::vector<std::uint32_t> table;      ///< hash table from key to place
+  std::vector<float> record;             ///< per slot: what shading needs to know
+  std::vector<std::array<double, 3>> exact_edges;  ///< per slot, where 32 bits aren't enough
 };
 
 /// What belongs to one thread.

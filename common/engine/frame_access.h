@@ -63,7 +63,6 @@ class FrameAccess {
     const Tile cleared = tile(index);
     std::fill_n(cleared.depth, frame_.tile_pixels(), 0.0F);
     std::fill_n(cleared.key, frame_.tile_pixels(), 0U);
-    std::fill_n(cleared.block_far, cleared.block_count(), 0.0F);
     drawn = 1;
   }
 

@@ -33,7 +33,8 @@ Framebuffer::Framebuffer(int width, int height, int tile_size)
   tile_far_ = std::make_unique<float[]>(tiles);
   depth_ = std::make_unique_for_overwrite<float[]>(pixels);
   key_ = std::make_unique_for_overwrite<std::uint32_t[]>(pixels);
-  block_far_ = std::make_unique_for_overwrite<float[]>(pixels / 64);
+  // As many more as the widest vector that begins at the last tile's reads.
+  block_far_ = std::make_unique<float[]>(pixels / 64 + 16);
 }
 
 void Framebuffer::clear(const Rgb8& background) {
@@ -43,6 +44,7 @@ void Framebuffer::clear(const Rgb8& background) {
   }
   std::fill(drawn_.begin(), drawn_.end(), std::uint8_t{0});
   std::fill_n(tile_far_.get(), drawn_.size(), 0.0F);
+  std::fill_n(block_far_.get(), drawn_.size() * static_cast<std::size_t>(tile_pixels()) / 64, 0.0F);
   background_ = background_there_ = background;
   keys_used_ = 0;
 }

@@ -111,7 +111,6 @@ bool is_hidden(const FrameAccess& frame, const PixelBounds& bounds, float neares
     for (int tx = bounds.left / size; tx <= bounds.right / size; ++tx) {
       const int tile = ty * frame.tiles_x() + tx;
       if (frame.tile_far(tile) > nearest) continue;
-      if (frame.drawn()[tile] == 0) return false;
       const float* far = frame.block_fars() + static_cast<std::ptrdiff_t>(tile) * per_row * per_row;
       const int first_x = std::max(bounds.left - tx * size, 0) / 8;
       const int last_x = std::min(bounds.right - tx * size, size - 1) / 8;
@@ -266,9 +265,14 @@ class Binning {
     store(maximum(bounds.top, Ints(0)), top_.data());
     store(minimum(bounds.bottom, Ints(job_.frame.height() - 1)), bottom_.data());
     const Ints limit(SmallTriangles::max_side);
-    const std::uint32_t small = job_.discards() ? 0U
-                                                : bits(bounds.right - bounds.left < limit &&
-                                                       bounds.bottom - bounds.top < limit);
+    const Truth few_samples =
+        bounds.right - bounds.left < limit && bounds.bottom - bounds.top < limit;
+    const std::uint32_t small = job_.discards() ? 0U : bits(few_samples);
+    if (job_.skip.hidden) {
+      const std::uint32_t hidden = bits(behind_blocks(alive && few_samples, triangles.depth));
+      worker_.statistics.triangles_hidden += static_cast<unsigned>(std::popcount(hidden));
+      mask &= ~hidden;
+    }
     for (; mask != 0; mask &= mask - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
       const std::uint32_t key = job_.first_key + ids[lane];
@@ -289,12 +293,15 @@ class Binning {
     auto* kept = worker_.arena.make<LargeTriangle>();
     *kept = triangle;
     const std::array<Edge, 3> edges = {Edge(triangle, 0), Edge(triangle, 1), Edge(triangle, 2)};
+    const float nearest =
+        std::max({triangle.depth[0], triangle.depth[1], triangle.depth[2]}) * 1.000001F;
     for (int ty = top >> tile_shift_; ty <= bottom >> tile_shift_; ++ty) {
       for (int tx = left >> tile_shift_; tx <= right >> tile_shift_; ++tx) {
         if (edges[0].misses(tx, ty, tile_shift_) || edges[1].misses(tx, ty, tile_shift_) ||
             edges[2].misses(tx, ty, tile_shift_)) {
           continue;
         }
+        if (job_.skip.hidden && job_.frame.tile_far(ty * tiles_x_ + tx) > nearest) continue;
         worker_.add_large(ty * tiles_x_ + tx, kept);
         ++worker_.statistics.triangles_binned;
       }
@@ -322,6 +329,38 @@ class Binning {
       return at_first + x * step_x + y * step_y < 0;
     }
   };
+
+  /// Which of the triangles asked, of at most 8×8 samples, are behind all that the blocks they
+  /// reach into show: those of their bounds' corners.
+  Truth behind_blocks(Truth asked, const std::array<Number, 3>& depth) const {
+    const auto far = [&](const IntLanes& pixel_x, const IntLanes& pixel_y) {
+      const Ints x = shift_right<3>(load(pixel_x.data()));
+      const Ints y = shift_right<3>(load(pixel_y.data()));
+      return gather_numbers(job_.frame.block_fars(), select(asked, block_index(x, y), Ints(0)));
+    };
+    const Number above = minimum(far(left_, top_), far(right_, top_));
+    const Number below = minimum(far(left_, bottom_), far(right_, bottom_));
+    const Number nearest = maximum(maximum(depth[0], depth[1]), depth[2]);
+    return asked && minimum(above, below) > nearest * Number(1.000001F);
+  }
+
+  /// Where a framebuffer keeps what belongs to the block in column x and row y of the picture's.
+  Ints block_index(Ints x, Ints y) const {
+    switch (tile_shift_) {
+      case 4:
+        return block_in_tile<1>(x, y);
+      case 5:
+        return block_in_tile<2>(x, y);
+      default:
+        return block_in_tile<3>(x, y);
+    }
+  }
+  template <int shift>
+  Ints block_in_tile(Ints x, Ints y) const {
+    const Ints tile = shift_right<shift>(y) * Ints(tiles_x_) + shift_right<shift>(x);
+    const Ints mask((1 << shift) - 1);
+    return shift_left<2 * shift>(tile) + shift_left<shift>(y & mask) + (x & mask);
+  }
 
   void add_small(std::size_t lane, std::uint32_t key) {
     for (int ty = top_[lane] >> tile_shift_; ty <= bottom_[lane] >> tile_shift_; ++ty) {

@@ -20,11 +20,10 @@ struct DrawJob;
 
 /// What is compiled once per instruction set and shader.
 struct ShadingKernels {
-  bool may_discard;
   /// Shades the pixels of a tile that this draw call owns.
   void (*shade_tile)(const DrawJob& job, const Tile& tile, Worker& worker);
   /// Of the pixels `covered` of a block of the picture at (left, top), those the shader doesn't
-  /// discard for this triangle.
+  /// discard for this triangle. nullptr for a shader that never discards.
   BlockMask (*keep)(const DrawJob& job, std::uint32_t key, int left, int top, BlockMask covered,
                     Worker& worker);
 };
@@ -41,7 +40,7 @@ struct DrawJob {
   const ShadingKernels* shading;  ///< nullptr: depth only
   FrameAccess frame;
 
-  bool discards() const { return shading != nullptr && shading->may_discard; }
+  bool discards() const { return shading != nullptr && shading->keep != nullptr; }
 };
 
 /// What of a mesh's clusters is to be drawn, and how near it is at most.

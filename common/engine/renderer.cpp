@@ -131,18 +131,20 @@ class Drawing {
   void run() {
     find_visible();
     sort_front_to_back();
-    const int batches = batch_count();
-    for (int batch = 0; batch < batches; ++batch) {
-      const std::size_t size = visible_.size();
-      const std::size_t begin = size * static_cast<std::size_t>(batch) / batches;
-      const std::size_t end = size * static_cast<std::size_t>(batch + 1) / batches;
-      draw_batch({visible_.data() + begin, end - begin}, batch + 1 == batches);
+    // Small at first: what they draw hides much of the rest.
+    std::size_t begin = 0;
+    for (std::size_t size = first_batch;; size = std::min(2 * size, largest_batch)) {
+      const std::size_t end = std::min(begin + size, visible_.size());
+      draw_batch({visible_.data() + begin, end - begin}, end == visible_.size());
+      if (end == visible_.size()) break;
+      begin = end;
     }
   }
 
  private:
   static constexpr std::uint32_t clusters_per_task = 256;
-  static constexpr std::size_t clusters_per_batch = 256;
+  static constexpr std::size_t first_batch = 64;
+  static constexpr std::size_t largest_batch = 256;
 
   void find_visible() {
     const auto count = static_cast<std::uint32_t>(job_.mesh->clusters().list.size());
@@ -162,11 +164,6 @@ class Drawing {
               [](const VisibleCluster& a, const VisibleCluster& b) {
                 return a.nearest > b.nearest || (a.nearest == b.nearest && a.index < b.index);
               });
-  }
-
-  int batch_count() const {
-    return static_cast<int>(
-        std::max<std::size_t>(1, (visible_.size() + clusters_per_batch - 1) / clusters_per_batch));
   }
 
   void draw_batch(std::span<const VisibleCluster> clusters, bool last) {

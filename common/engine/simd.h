@@ -110,9 +110,13 @@ inline Ints maximum(Ints a, Ints b) {
 inline Ints select(Truth condition, Ints if_true, Ints if_false) {
   return Ints(hn::IfThenElse(hn::RebindMask(IntTag(), condition.mask), if_true.v, if_false.v));
 }
-/// first, first + 1, …
+alignas(64) inline constexpr std::array<std::int32_t, 16> lane_numbers = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+/// first, first + 1, …. Not Highway's, which writes them one by one to load them as a whole: a
+/// processor stalls on that.
 inline Ints iota(std::int32_t first) {
-  return Ints(hn::Iota(IntTag(), first));
+  return Ints(hn::Load(IntTag(), lane_numbers.data())) + Ints(first);
 }
 inline Ints load(const std::int32_t* from) {
   return Ints(hn::LoadU(IntTag(), from));
@@ -132,6 +136,9 @@ inline void store(Ints a, std::uint32_t* to) {
 inline Ints gather_ints(const std::int32_t* from, Ints index) {
   return Ints(hn::GatherIndex(IntTag(), from, index.v));
 }
+inline Ints gather_ints(const std::uint32_t* from, Ints index) {
+  return Ints(hn::BitCast(IntTag(), hn::GatherIndex(UintTag(), from, index.v)));
+}
 inline std::int32_t smallest(Ints a) {
   return hn::GetLane(hn::MinOfLanes(IntTag(), a.v));
 }
@@ -140,7 +147,7 @@ inline std::int32_t largest(Ints a) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Floats: the Number that shaders run on
+// Floats
 
 struct Number {
   hn::Vec<FloatTag> v;
@@ -209,11 +216,13 @@ inline Number select(Truth condition, Number if_true, Number if_false) {
 inline Truth select(Truth condition, Truth if_true, Truth if_false) {
   return (condition && if_true) || (!condition && if_false);
 }
+/// The smaller and the larger; when either is NaN, or both are zeros, b: as x86's instructions do
+/// it.
 inline Number minimum(Number a, Number b) {
-  return select(a < b, a, b);
+  return one_lane ? select(a < b, a, b) : Number(hn::Min(a.v, b.v));
 }
 inline Number maximum(Number a, Number b) {
-  return select(a > b, a, b);
+  return one_lane ? select(a > b, a, b) : Number(hn::Max(a.v, b.v));
 }
 inline Number square_root(Number a) {
   return Number(hn::Sqrt(a.v));
@@ -224,13 +233,26 @@ inline Number magnitude(Number a) {
 inline Number as_numbers(Ints a) {
   return Number(hn::ConvertTo(FloatTag(), a.v));
 }
-/// Toward zero.
+/// Toward zero. Of what doesn't fit, and of NaN, no one may ask: Highway's own conversion takes
+/// four instructions more to give those a meaning.
 inline Ints to_whole(Number a) {
+#if HWY_TARGET == HWY_AVX3
+  return Ints(hn::Vec<IntTag>{_mm512_maskz_cvttps_epi32(0xFFFF, a.v.raw)});
+#elif HWY_TARGET == HWY_AVX2
+  return Ints(hn::Vec<IntTag>{_mm256_cvttps_epi32(a.v.raw)});
+#else
   return Ints(hn::ConvertTo(IntTag(), a.v));
+#endif
 }
-/// To nearest, ties to even.
+/// To nearest, ties to even; likewise.
 inline Ints round_to_ints(Number a) {
+#if HWY_TARGET == HWY_AVX3
+  return Ints(hn::Vec<IntTag>{_mm512_maskz_cvtps_epi32(0xFFFF, a.v.raw)});
+#elif HWY_TARGET == HWY_AVX2
+  return Ints(hn::Vec<IntTag>{_mm256_cvtps_epi32(a.v.raw)});
+#else
   return Ints(hn::NearestInt(a.v));
+#endif
 }
 inline Ints bit_pattern(Number a) {
   return Ints(hn::BitCast(IntTag(), a.v));
@@ -238,11 +260,12 @@ inline Ints bit_pattern(Number a) {
 inline Number from_bit_pattern(Ints a) {
   return Number(hn::BitCast(FloatTag(), a.v));
 }
-/// Numbers of magnitude 2^23 and above are whole already; the rest fit an integer.
 inline Number round_down(Number a) {
-  const Number whole = as_numbers(to_whole(a));
-  const Number down = select(whole > a, whole - Number(1), whole);
-  return select(magnitude(a) < Number(8388608.0F), down, a);
+#if HWY_TARGET == HWY_SSSE3  // which has no such instruction, and whose stand-in loses −0
+  return Number(hn::CopySign(hn::Floor(a.v), a.v));
+#else
+  return Number(hn::Floor(a.v));
+#endif
 }
 inline float smallest(Number a) {
   return hn::GetLane(hn::MinOfLanes(FloatTag(), a.v));
@@ -257,6 +280,15 @@ inline Number gather_numbers(const float* from, Ints index) {
 inline Number gather(const float* array, Number index) {
   return gather_numbers(array, to_whole(index));
 }
+/// A table that fits a register or two needs no memory.
+inline Number gather(const std::array<float, 16>& table, Number index) {
+  if constexpr (lanes == 16) {
+    const auto at = hn::IndicesFromVec(FloatTag(), to_whole(index).v);
+    return Number(hn::TableLookupLanes(load(table.data()).v, at));
+  } else {
+    return gather(table.data(), index);
+  }
+}
 inline Number gather(const std::uint8_t* array, Number index) {
   alignas(64) std::int32_t at[lanes];
   alignas(64) float element[lanes];
@@ -265,8 +297,44 @@ inline Number gather(const std::uint8_t* array, Number index) {
   return load(element);
 }
 
+#if HWY_TARGET == HWY_SCALAR
+/// Four consecutive numbers of a place per lane.
+inline void load_fours(const float* const* from, Number* fours) {
+  for (int i = 0; i < 4; ++i) fours[i] = Number(from[0][i]);
+}
+#else
+/// The four numbers of places 0, 4, 8, …, side by side.
+template <int count>
+hn::Vec<hn::CappedTag<float, count>> load_every_fourth(const float* const* from) {
+  const hn::CappedTag<float, count> tag;
+  if constexpr (count == 4) {
+    return hn::LoadU(tag, from[0]);
+  } else {
+    return hn::Combine(tag, load_every_fourth<count / 2>(from + count / 2),
+                       load_every_fourth<count / 2>(from));
+  }
+}
+/// Four consecutive numbers of a place per lane: cheaper than four gathers.
+inline void load_fours(const float* const* from, Number* fours) {
+  const FloatTag tag;
+  const hn::RepartitionToWide<FloatTag> pairs;
+  const auto row0 = load_every_fourth<lanes>(from);
+  const auto row1 = load_every_fourth<lanes>(from + 1);
+  const auto row2 = load_every_fourth<lanes>(from + 2);
+  const auto row3 = load_every_fourth<lanes>(from + 3);
+  const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(tag, row0, row1));
+  const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(tag, row2, row3));
+  const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(tag, row0, row1));
+  const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(tag, row2, row3));
+  fours[0] = Number(hn::BitCast(tag, hn::InterleaveLower(pairs, low01, low23)));
+  fours[1] = Number(hn::BitCast(tag, hn::InterleaveUpper(pairs, low01, low23)));
+  fours[2] = Number(hn::BitCast(tag, hn::InterleaveLower(pairs, high01, high23)));
+  fours[3] = Number(hn::BitCast(tag, hn::InterleaveUpper(pairs, high01, high23)));
+}
+#endif
+
 inline Vector3<Number> gather_texel(const std::uint32_t* texels, Ints index) {
-  const Ints texel(hn::BitCast(IntTag(), hn::GatherIndex(UintTag(), texels, index.v)));
+  const Ints texel = gather_ints(texels, index);
   return {as_numbers(texel & Ints(255)), as_numbers(shift_right<8>(texel) & Ints(255)),
           as_numbers(shift_right<16>(texel) & Ints(255))};
 }
@@ -345,7 +413,29 @@ inline Doubles gather_doubles(const double* from, Ints index) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Logarithm and power, the same bits everywhere
+// Roots, logarithm and power, the same bits everywhere
+
+/// 1 / √a, relative error below 3e-7, for a in [1e-30, 1e30]: a guess from the bits (halving and
+/// negating the exponent), and Newton's method three times. A root and a division take five times
+/// as long.
+inline Number inverse_root(Number a) {
+  const Number half = a * Number(0.5F);
+  Number root = from_bit_pattern(Ints(0x5F375A86) - shift_right<1>(bit_pattern(a)));
+  for (int i = 0; i < 3; ++i) root = root * (Number(1.5F) - half * root * root);
+  return root;
+}
+
+/// As the general one in number.h says, but quicker.
+inline Vector3<Number> normalized(const Vector3<Number>& vector) {
+  const Number squared = dot(vector, vector);
+  const Truth usual = squared > Number(1e-30F) && squared < Number(1e30F);
+  Number inverse = inverse_root(squared);
+  if (!all(usual)) {
+    const Number exact = select(squared > Number(0), Number(1) / square_root(squared), Number(0));
+    inverse = select(usual, inverse, exact);
+  }
+  return {vector.x() * inverse, vector.y() * inverse, vector.z() * inverse};
+}
 
 /// log2, for a ≥ 0; of 0, −126 or less. Error below 2e-7 + 1e-7 · |log2 a|: the exponent, plus a
 /// polynomial in s = (m − 1) / (m + 1) for the mantissa m in [√½, √2) (the series of artanh).

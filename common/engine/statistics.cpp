@@ -12,7 +12,7 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 15> fields = {{
+constexpr std::array<Field, 16> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
     {"clusters_hidden", &Statistics::clusters_hidden},
@@ -21,6 +21,7 @@ constexpr std::array<Field, 15> fields = {{
     {"triangles", &Statistics::triangles},
     {"triangles_culled", &Statistics::triangles_culled},
     {"triangles_missed", &Statistics::triangles_missed},
+    {"triangles_hidden", &Statistics::triangles_hidden},
     {"triangles_clipped", &Statistics::triangles_clipped},
     {"triangles_binned", &Statistics::triangles_binned},
     {"blocks_hidden", &Statistics::blocks_hidden},

@@ -133,13 +133,7 @@ class HitWriter {
     store(depth, depth_of.data());
     for (; hit != 0; hit &= hit - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
-      const std::int32_t p = pixel_of[lane];
-      const float d = depth_of[lane];
-      if (d > tile_.depth[p] || (d == tile_.depth[p] && key[lane] < tile_.key[p])) {
-        tile_.depth[p] = d;
-        tile_.key[p] = key[lane];
-        written_ |= BlockMask{1} << (p >> 6);
-      }
+      write_one(pixel_of[lane], depth_of[lane], key[lane]);
     }
   }
 
@@ -147,6 +141,21 @@ class HitWriter {
   BlockMask take_written_blocks() { return std::exchange(written_, 0); }
 
  private:
+  /// Without a branch: which of two is nearer, a processor can't guess.
+  void write_one(std::int32_t pixel, float depth, std::uint32_t key) {
+    float& depth_there = tile_.depth[pixel];
+    std::uint32_t& key_there = tile_.key[pixel];
+    const bool nearer =
+        static_cast<int>(depth > depth_there) |
+        (static_cast<int>(depth == depth_there) & static_cast<int>(key < key_there));
+    const std::uint32_t mask = 0U - static_cast<std::uint32_t>(nearer);
+    const auto choose = [mask](std::uint32_t a, std::uint32_t b) { return b ^ ((a ^ b) & mask); };
+    depth_there = std::bit_cast<float>(
+        choose(std::bit_cast<std::uint32_t>(depth), std::bit_cast<std::uint32_t>(depth_there)));
+    key_there = choose(key, key_there);
+    written_ |= BlockMask{1} << (pixel >> 6);
+  }
+
   const Tile& tile_;
   BlockMask written_ = 0;
 };
@@ -222,25 +231,85 @@ struct TileEdge {
     test_x = asks ? step_x : 0;
     test_y = asks ? step_y : 0;
   }
+
+  std::int64_t at(int x, int y) const {
+    return exact +
+           256 * (static_cast<std::int64_t>(step_x) * x + static_cast<std::int64_t>(step_y) * y);
+  }
 };
+
+/// From edge functions 1 and 2 to depth.
+struct DepthSlopes {
+  Number d0, k1, k2;
+  /// Twice the area is below 2^31, and so are edge functions inside: 32 bits hold them there,
+  /// however often they have overflown on the way.
+  bool is_short;
+
+  DepthSlopes() = default;
+  DepthSlopes(const LargeTriangle& t, const TileEdge& edge0) {
+    const auto area = static_cast<double>(edge0.step_y) * (t.y[0] - t.y[1]) +
+                      static_cast<double>(edge0.step_x) * (t.x[0] - t.x[1]);
+    const double inverse = 1.0 / area;
+    const double depth0 = t.depth[0];
+    d0 = Number(t.depth[0]);
+    k1 = Number(static_cast<float>((t.depth[1] - depth0) * inverse));
+    k2 = Number(static_cast<float>((t.depth[2] - depth0) * inverse));
+    is_short = area < 2147483648.0;
+  }
+
+  Number depth(Number e1, Number e2) const { return d0 + (e1 * k1 + e2 * k2); }
+};
+
+/// Blocks of the tile that the box around a triangle's samples reaches into.
+BlockMask blocks_in_bounds(const Tile& tile, const LargeTriangle& t) {
+  const auto [low_x, high_x] = std::minmax({t.x[0], t.x[1], t.x[2]});
+  const auto [low_y, high_y] = std::minmax({t.y[0], t.y[1], t.y[2]});
+  const int last = tile.size - 1;
+  const int left = std::clamp(((low_x + 127) >> 8) - tile.left, 0, last) / 8;
+  const int right = std::clamp(((high_x - 128) >> 8) - tile.left, 0, last) / 8;
+  const int top = std::clamp(((low_y + 127) >> 8) - tile.top, 0, last) / 8;
+  const int bottom = std::clamp(((high_y - 128) >> 8) - tile.top, 0, last) / 8;
+  const auto ones = [](int count) { return ~BlockMask{0} >> (64 - count); };
+  const int per_row = tile.blocks_per_row();
+  const BlockMask first_of_rows = ones(tile.block_count()) / ones(per_row);
+  const BlockMask columns = (ones(right - left + 1) << left) * first_of_rows;
+  return columns & ones((bottom - top + 1) * per_row) << (top * per_row);
+}
+
+/// Blocks whose every pixel is nearer than `nearest`.
+BlockMask blocks_before(const Tile& tile, float nearest) {
+  BlockMask before = 0;
+  for (int first = 0; first < tile.block_count(); first += lanes) {
+    const Truth far = load(tile.block_far + first) > Number(nearest);
+    before |= static_cast<BlockMask>(bits(far)) << first;
+  }
+  return before;
+}
+
+/// Blocks in which a triangle may be seen.
+BlockMask open_blocks(const DrawJob& job, const Tile& tile, const LargeTriangle& triangle,
+                      Statistics& statistics) {
+  const BlockMask near = blocks_in_bounds(tile, triangle);
+  if (!job.skip.hidden) return near;
+  const float nearest =
+      std::max({triangle.depth[0], triangle.depth[1], triangle.depth[2]}) * 1.000001F;
+  const BlockMask hidden = near & blocks_before(tile, nearest);
+  statistics.blocks_hidden += static_cast<unsigned>(std::popcount(hidden));
+  return near & ~hidden;
+}
 
 class LargeDrawing {
  public:
-  LargeDrawing(const DrawJob& job, const Tile& tile, const LargeTriangle& triangle)
-      : job_(job), tile_(tile), triangle_(triangle) {
+  /// Draws into the blocks `open`, at least one.
+  LargeDrawing(const DrawJob& job, const Tile& tile, const LargeTriangle& triangle, BlockMask open)
+      : job_(job), tile_(tile), triangle_(triangle), open_(open) {
     for (std::size_t i = 0; i < 3; ++i) edge_[i] = TileEdge(triangle, i, tile);
-    const auto [low_x, high_x] = std::minmax({triangle.x[0], triangle.x[1], triangle.x[2]});
-    const auto [low_y, high_y] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
-    left_ = ((low_x + 127) >> 8) - tile.left;
-    right_ = ((high_x - 128) >> 8) - tile.left;
-    top_ = ((low_y + 127) >> 8) - tile.top;
-    bottom_ = ((high_y - 128) >> 8) - tile.top;
   }
 
   bool misses() const { return edge_[0].misses || edge_[1].misses || edge_[2].misses; }
 
   void draw(Worker& worker) {
-    find_blocks(worker.statistics);
+    find_blocks();
     if (touched_ == 0) return;
     prepare_depth();
     if ((touched_ & ~inside_) != 0) prepare_coverage();
@@ -256,20 +325,18 @@ class LargeDrawing {
 
  private:
   /// Which blocks may have a covered pixel, which are covered wholly.
-  void find_blocks(Statistics& statistics) {
+  void find_blocks() {
     const int per_row = tile_.blocks_per_row();
-    const Ints shift_mask(per_row - 1);
-    const float nearest =
-        std::max({triangle_.depth[0], triangle_.depth[1], triangle_.depth[2]}) * 1.000001F;
-    const int first_block = std::max(top_ / 8, 0) * per_row / lanes * lanes;
-    const int last_block = (std::min(bottom_, tile_.size - 1) / 8 + 1) * per_row;
+    const Ints column_mask(per_row - 1);
+    const int first_block = std::countr_zero(open_) / lanes * lanes;
+    const int last_block = 64 - std::countl_zero(open_);
     for (int first = first_block; first < last_block; first += lanes) {
+      const auto open = static_cast<std::uint32_t>(open_ >> first);
       const Ints block = iota(first);
-      const Ints bx = block & shift_mask;
       const Ints by = per_row == 8   ? shift_right<3>(block)
                       : per_row == 4 ? shift_right<2>(block)
                                      : shift_right<1>(block);
-      const Ints x = shift_left<3>(bx);
+      const Ints x = shift_left<3>(block & column_mask);
       const Ints y = shift_left<3>(by);
       Ints best(0);   // negative: outside an edge
       Ints worst(0);  // negative: not wholly inside
@@ -278,40 +345,19 @@ class LargeDrawing {
         best = best | (at + Ints(7 * (std::max(e.test_x, 0) + std::max(e.test_y, 0))));
         worst = worst | (at + Ints(7 * (std::min(e.test_x, 0) + std::min(e.test_y, 0))));
       }
-      const Truth present = first_lanes(std::min(lanes, tile_.block_count() - first));
-      Truth touched = best >= Ints(0) && present && in_bounds(x, y);
-      if (job_.skip.hidden) {
-        const Truth hidden = touched && load(tile_.block_far + first) > Number(nearest);
-        statistics.blocks_hidden += static_cast<unsigned>(std::popcount(bits(hidden)));
-        touched = touched && !hidden;
-      }
-      touched_ |= static_cast<BlockMask>(bits(touched)) << first;
-      inside_ |= static_cast<BlockMask>(bits(touched && worst >= Ints(0))) << first;
+      const std::uint32_t touched = bits(best >= Ints(0)) & open;
+      touched_ |= static_cast<BlockMask>(touched) << first;
+      inside_ |= static_cast<BlockMask>(bits(worst >= Ints(0)) & touched) << first;
     }
   }
 
-  /// Whether blocks reach into the box around the triangle.
-  Truth in_bounds(Ints x, Ints y) const {
-    return x + Ints(7) >= Ints(left_) && x <= Ints(right_) && y + Ints(7) >= Ints(top_) &&
-           y <= Ints(bottom_);
-  }
-
-  /// Within 64 pixels a side: edge functions over the tile fit 32 bits as they are.
-  bool is_short() const { return right_ - left_ < 63 && bottom_ - top_ < 63; }
-
   void prepare_depth() {
-    const auto area = static_cast<double>(edge_[0].step_y) * (triangle_.y[0] - triangle_.y[1]) +
-                      static_cast<double>(edge_[0].step_x) * (triangle_.x[0] - triangle_.x[1]);
-    const double inverse = 1.0 / area;
-    const double d0 = triangle_.depth[0];
-    k1_ = static_cast<float>((triangle_.depth[1] - d0) * inverse);
-    k2_ = static_cast<float>((triangle_.depth[2] - d0) * inverse);
-    short_ = is_short();
-    if (short_) {
-      const Ints x = shift_left<8>(load(places.x.data()));
-      const Ints y = shift_left<8>(load(places.y.data()));
-      short1_ = x * Ints(edge_[1].step_x) + y * Ints(edge_[1].step_y);
-      short2_ = x * Ints(edge_[2].step_x) + y * Ints(edge_[2].step_y);
+    slopes_ = DepthSlopes(triangle_, edge_[0]);
+    if (slopes_.is_short) {
+      const Ints x = load(places.x.data());
+      const Ints y = load(places.y.data());
+      short1_ = shift_left<8>(x * Ints(edge_[1].step_x) + y * Ints(edge_[1].step_y));
+      short2_ = shift_left<8>(x * Ints(edge_[2].step_x) + y * Ints(edge_[2].step_y));
       return;
     }
     const Doubles x = to_doubles(load(places.x.data())) * Doubles(256);
@@ -326,15 +372,6 @@ class LargeDrawing {
     for (std::size_t i = 0; i < 3; ++i) {
       coverage_[i] = x * Ints(edge_[i].test_x) + y * Ints(edge_[i].test_y);
     }
-  }
-
-  /// Exact, in a double, at the block's first pixel.
-  static std::int32_t short_at(const TileEdge& edge, int x, int y) {
-    return static_cast<std::int32_t>(edge.exact) + 256 * (edge.step_x * x + edge.step_y * y);
-  }
-  static double exact_at(const TileEdge& edge, int x, int y) {
-    return static_cast<double>(edge.exact) +
-           256.0 * (static_cast<double>(edge.step_x) * x + static_cast<double>(edge.step_y) * y);
   }
 
   struct Offset {
@@ -352,16 +389,14 @@ class LargeDrawing {
     const int y = block / tile_.blocks_per_row() * 8;
     const auto depth_of = [&](std::size_t g) {
       const auto [gx, gy] = first_of(g);
-      if (short_) {
-        const Ints e1 = Ints(short_at(edge_[1], x + gx, y + gy)) + short1_;
-        const Ints e2 = Ints(short_at(edge_[2], x + gx, y + gy)) + short2_;
-        return Number(triangle_.depth[0]) +
-               (as_numbers(e1) * Number(k1_) + as_numbers(e2) * Number(k2_));
+      const std::int64_t e1 = edge_[1].at(x + gx, y + gy);
+      const std::int64_t e2 = edge_[2].at(x + gx, y + gy);
+      if (slopes_.is_short) {
+        return slopes_.depth(as_numbers(Ints(static_cast<std::int32_t>(e1)) + short1_),
+                             as_numbers(Ints(static_cast<std::int32_t>(e2)) + short2_));
       }
-      const Doubles e1 = Doubles(exact_at(edge_[1], x + gx, y + gy)) + offset1_;
-      const Doubles e2 = Doubles(exact_at(edge_[2], x + gx, y + gy)) + offset2_;
-      return Number(triangle_.depth[0]) +
-             (to_number(e1) * Number(k1_) + to_number(e2) * Number(k2_));
+      return slopes_.depth(to_number(Doubles(static_cast<double>(e1)) + offset1_),
+                           to_number(Doubles(static_cast<double>(e2)) + offset2_));
     };
     const auto covered_in = [&](std::size_t g) {
       const auto first = first_of(g);
@@ -419,17 +454,15 @@ class LargeDrawing {
   const Tile& tile_;
   const LargeTriangle& triangle_;
   std::array<TileEdge, 3> edge_;
-  int left_, right_, top_, bottom_;  ///< pixels of the tile within the box around the triangle
+  BlockMask open_;
   BlockMask touched_ = 0;
   BlockMask inside_ = 0;
-  float k1_ = 0;
-  float k2_ = 0;
+  DepthSlopes slopes_;
   // Of the edge functions, over the lanes of a block's first vector.
   Doubles offset1_;
   Doubles offset2_;
   Ints short1_;
   Ints short2_;
-  bool short_ = false;
   std::array<Ints, 3> coverage_;
 };
 
@@ -456,12 +489,7 @@ class ThinDrawing {
       edge_[i] = TileEdge(triangle_, i, tile_);
       if (edge_[i].misses) return true;
     }
-    const double area = static_cast<double>(edge_[0].step_y) * (triangle_.y[0] - triangle_.y[1]) +
-                        static_cast<double>(edge_[0].step_x) * (triangle_.x[0] - triangle_.x[1]);
-    const double inverse = 1.0 / area;
-    const double d0 = triangle_.depth[0];
-    k1_ = Number(static_cast<float>((triangle_.depth[1] - d0) * inverse));
-    k2_ = Number(static_cast<float>((triangle_.depth[2] - d0) * inverse));
+    slopes_ = DepthSlopes(triangle_, edge_[0]);
     const auto& major = steep_ ? triangle_.y : triangle_.x;
     const int origin = steep_ ? tile_.top : tile_.left;
     const auto [low, high] = std::minmax({major[0], major[1], major[2]});
@@ -512,33 +540,49 @@ class ThinDrawing {
     // Far outside the tile, rounding is coarser but nothing is drawn either.
     const Number bounded = minimum(maximum(place, Number(-16)), Number(80));
     Ints across = to_whole(round_down(bounded));
-    const Ints& x = steep_ ? across : line;
-    const Ints& y = steep_ ? line : across;
     std::array<Ints, 3> e;
     for (std::size_t i = 0; i < 3; ++i) {
-      e[i] = Ints(edge_[i].divided) + x * Ints(edge_[i].test_x) + y * Ints(edge_[i].test_y);
+      const Ints step_along(steep_ ? edge_[i].test_y : edge_[i].test_x);
+      const Ints step_across(steep_ ? edge_[i].test_x : edge_[i].test_y);
+      e[i] = Ints(edge_[i].divided) + line * step_along + across * step_across;
     }
     const Truth lines_there = line <= Ints(last);
     const Ints size(tile_.size - 1);
+    // Most lines have a sample or none: what they have is gathered and written together.
+    std::uint32_t found = 0;
+    Ints sample = across;
     for (int step = 0; step < static_cast<int>(steps_) + 1; ++step) {
       const Ints outside = e[0] | e[1] | e[2] | across | (size - across);
-      const std::uint32_t hit = bits(outside >= Ints(0) && lines_there);
-      if (hit != 0) write(hit, x, y);
+      const Truth hit = outside >= Ints(0) && lines_there;
+      const std::uint32_t hit_bits = bits(hit);
+      if ((hit_bits & found) != 0) {
+        write(found, line, sample);
+        found = 0;
+      }
+      found |= hit_bits;
+      sample = select(hit, across, sample);
       across = across + Ints(1);
       for (std::size_t i = 0; i < 3; ++i) {
         e[i] = e[i] + Ints(steep_ ? edge_[i].test_x : edge_[i].test_y);
       }
     }
+    if (found != 0) write(found, line, sample);
   }
 
-  void write(std::uint32_t hit, Ints x, Ints y) {
-    const auto exact = [&](const TileEdge& e) {
-      return to_number(Doubles(static_cast<double>(e.exact)) +
-                       Doubles(256) *
-                           (to_doubles(x) * Doubles(e.step_x) + to_doubles(y) * Doubles(e.step_y)));
-    };
-    const Number depth =
-        Number(triangle_.depth[0]) + (exact(edge_[1]) * k1_ + exact(edge_[2]) * k2_);
+  Number edge_at(const TileEdge& edge, Ints x, Ints y) const {
+    if (slopes_.is_short) {
+      return as_numbers(Ints(static_cast<std::int32_t>(edge.exact)) +
+                        shift_left<8>(x * Ints(edge.step_x) + y * Ints(edge.step_y)));
+    }
+    return to_number(Doubles(static_cast<double>(edge.exact)) +
+                     Doubles(256) * (to_doubles(x) * Doubles(edge.step_x) +
+                                     to_doubles(y) * Doubles(edge.step_y)));
+  }
+
+  void write(std::uint32_t hit, Ints line, Ints across) {
+    const Ints x = steep_ ? across : line;
+    const Ints y = steep_ ? line : across;
+    const Number depth = slopes_.depth(edge_at(edge_[1], x, y), edge_at(edge_[2], x, y));
     const Ints pixel =
         (x + shift_right<3>(x) * Ints(56)) +
         (shift_left<3>(y) + shift_right<3>(y) * Ints(64 * tile_.blocks_per_row() - 64));
@@ -556,8 +600,7 @@ class ThinDrawing {
   float base_ = 0;
   float start_ = 0;
   float steps_ = 0;
-  Number k1_;
-  Number k2_;
+  DepthSlopes slopes_;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -584,8 +627,10 @@ void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker&
          chunk != nullptr; chunk = chunk->next) {
       for (int i = 0; i < chunk->count; ++i) {
         const LargeTriangle& triangle = *chunk->triangle[static_cast<std::size_t>(i)];
+        const BlockMask open = open_blocks(job, tile, triangle, worker.statistics);
+        if (open == 0) continue;
         if (!job.discards() && ThinDrawing(tile, triangle, writer).draw()) continue;
-        LargeDrawing drawing(job, tile, triangle);
+        LargeDrawing drawing(job, tile, triangle, open);
         if (!drawing.misses()) drawing.draw(worker);
       }
     }

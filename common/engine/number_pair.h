@@ -1,0 +1,158 @@
+// Two vectors side by side: the Number that shaders run on in the engine.
+//
+// A shader is a long chain of operations, each waiting for the one before, and about as long as
+// what a processor looks ahead. With two of them, operation by operation in turn, there is
+// something to do while one waits.
+#pragma once
+
+#include "common/engine/simd.h"
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+struct TruthPair {
+  Truth low, high;
+
+  friend TruthPair operator&&(TruthPair a, TruthPair b) {
+    return {a.low && b.low, a.high && b.high};
+  }
+  friend TruthPair operator||(TruthPair a, TruthPair b) {
+    return {a.low || b.low, a.high || b.high};
+  }
+  friend TruthPair operator!(TruthPair a) { return {!a.low, !a.high}; }
+};
+
+struct IntPair {
+  Ints low, high;
+
+  friend IntPair operator+(IntPair a, IntPair b) { return {a.low + b.low, a.high + b.high}; }
+  friend IntPair operator*(IntPair a, IntPair b) { return {a.low * b.low, a.high * b.high}; }
+};
+
+struct NumberPair {
+  Number low, high;
+
+  NumberPair() = default;
+  NumberPair(float value) : low(value), high(value) {}
+  NumberPair(Number l, Number h) : low(l), high(h) {}
+
+  friend NumberPair operator+(NumberPair a, NumberPair b) {
+    return {a.low + b.low, a.high + b.high};
+  }
+  friend NumberPair operator-(NumberPair a, NumberPair b) {
+    return {a.low - b.low, a.high - b.high};
+  }
+  friend NumberPair operator*(NumberPair a, NumberPair b) {
+    return {a.low * b.low, a.high * b.high};
+  }
+  friend NumberPair operator/(NumberPair a, NumberPair b) {
+    return {a.low / b.low, a.high / b.high};
+  }
+  friend NumberPair operator-(NumberPair a) { return {-a.low, -a.high}; }
+  NumberPair& operator+=(NumberPair b) { return *this = *this + b; }
+  NumberPair& operator-=(NumberPair b) { return *this = *this - b; }
+  NumberPair& operator*=(NumberPair b) { return *this = *this * b; }
+  NumberPair& operator/=(NumberPair b) { return *this = *this / b; }
+  friend TruthPair operator<(NumberPair a, NumberPair b) {
+    return {a.low < b.low, a.high < b.high};
+  }
+  friend TruthPair operator<=(NumberPair a, NumberPair b) {
+    return {a.low <= b.low, a.high <= b.high};
+  }
+  friend TruthPair operator>(NumberPair a, NumberPair b) { return b < a; }
+  friend TruthPair operator>=(NumberPair a, NumberPair b) { return b <= a; }
+  friend TruthPair operator==(NumberPair a, NumberPair b) {
+    return {a.low == b.low, a.high == b.high};
+  }
+  friend TruthPair operator!=(NumberPair a, NumberPair b) { return !(a == b); }
+};
+
+}  // namespace rasterlab::RASTERLAB_SIMD
+
+namespace Eigen {
+template <>
+struct NumTraits<rasterlab::RASTERLAB_SIMD::NumberPair> : GenericNumTraits<float> {
+  using Real = rasterlab::RASTERLAB_SIMD::NumberPair;
+  using NonInteger = rasterlab::RASTERLAB_SIMD::NumberPair;
+  using Nested = rasterlab::RASTERLAB_SIMD::NumberPair;
+  using Literal = float;
+  enum { RequireInitialization = 0, IsComplex = 0, IsInteger = 0, IsSigned = 1 };
+};
+/// A vector of NumberPairs may be scaled by a plain float.
+template <class Operation>
+struct ScalarBinaryOpTraits<rasterlab::RASTERLAB_SIMD::NumberPair, float, Operation> {
+  using ReturnType = rasterlab::RASTERLAB_SIMD::NumberPair;
+};
+template <class Operation>
+struct ScalarBinaryOpTraits<float, rasterlab::RASTERLAB_SIMD::NumberPair, Operation> {
+  using ReturnType = rasterlab::RASTERLAB_SIMD::NumberPair;
+};
+namespace internal {
+/// As aligned as the vectors themselves, which Eigen's own limit of 16 bytes would contradict.
+template <int Size>
+struct compute_default_alignment<rasterlab::RASTERLAB_SIMD::NumberPair, Size> {
+  enum { value = 0 };
+};
+}  // namespace internal
+}  // namespace Eigen
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+// What number.h says of a Number, of each half.
+
+inline bool any(TruthPair a) {
+  return any(a.low) || any(a.high);
+}
+inline bool all(TruthPair a) {
+  return all(a.low) && all(a.high);
+}
+inline NumberPair select(TruthPair condition, NumberPair if_true, NumberPair if_false) {
+  return {select(condition.low, if_true.low, if_false.low),
+          select(condition.high, if_true.high, if_false.high)};
+}
+inline TruthPair select(TruthPair condition, TruthPair if_true, TruthPair if_false) {
+  return (condition && if_true) || (!condition && if_false);
+}
+inline NumberPair minimum(NumberPair a, NumberPair b) {
+  return {minimum(a.low, b.low), minimum(a.high, b.high)};
+}
+inline NumberPair maximum(NumberPair a, NumberPair b) {
+  return {maximum(a.low, b.low), maximum(a.high, b.high)};
+}
+inline NumberPair square_root(NumberPair a) {
+  return {square_root(a.low), square_root(a.high)};
+}
+inline NumberPair magnitude(NumberPair a) {
+  return {magnitude(a.low), magnitude(a.high)};
+}
+inline NumberPair round_down(NumberPair a) {
+  return {round_down(a.low), round_down(a.high)};
+}
+inline NumberPair log_2(NumberPair a) {
+  return {log_2(a.low), log_2(a.high)};
+}
+inline NumberPair power(NumberPair base, NumberPair exponent) {
+  return {power(base.low, exponent.low), power(base.high, exponent.high)};
+}
+inline IntPair to_whole(NumberPair a) {
+  return {to_whole(a.low), to_whole(a.high)};
+}
+template <class Element>
+NumberPair gather(const Element* array, NumberPair index) {
+  return {gather(array, index.low), gather(array, index.high)};
+}
+inline NumberPair gather(const std::array<float, 16>& table, NumberPair index) {
+  return {gather(table, index.low), gather(table, index.high)};
+}
+
+inline Vector3<NumberPair> join(const Vector3<Number>& low, const Vector3<Number>& high) {
+  return {{low.x(), high.x()}, {low.y(), high.y()}, {low.z(), high.z()}};
+}
+inline Vector3<NumberPair> normalized(const Vector3<NumberPair>& a) {
+  return join(normalized(Vector3<Number>(a.x().low, a.y().low, a.z().low)),
+              normalized(Vector3<Number>(a.x().high, a.y().high, a.z().high)));
+}
+inline Vector3<NumberPair> gather_texel(const std::uint32_t* texels, IntPair index) {
+  return join(gather_texel(texels, index.low), gather_texel(texels, index.high));
+}
+
+}  // namespace rasterlab::RASTERLAB_SIMD
