@@ -4,9 +4,11 @@
 #include "common/stage/guard.h"
 
 #include "bench/engine/bench_shaders.h"
+#include "bench/engine/exact_coverage.h"
 #include "bench/engine/peer.h"
 #include "bench/engine/pinning.h"
 #include "bench/engine/report.h"
+#include "bench/engine/scaling.h"
 #include "bench/engine/scenes.h"
 
 #include <chrono>
@@ -35,7 +37,7 @@ struct Settings {
   bool ours_only = false;
   int repeat = 0;
   bool stats = false;
-  bool pictures = false;
+  bool scaling = false;
 };
 
 struct Time {
@@ -99,8 +101,9 @@ class Ours {
   Statistics statistics_;
 };
 
-/// How two pictures of a scene agree, per million pixels.
-void compare(const Ours& ours, const Peer& peer, ShadingKind kind, Result& result) {
+/// How two pictures of a scene agree, per million pixels; and if not, who is right.
+void compare(const Ours& ours, const Peer& peer, const Scene& scene, ShadingKind kind,
+             Result& result) {
   const Image<std::int32_t> ids = ours.frame().ids();
   const Image<std::uint8_t> there = peer.coverage();
   const Image<Rgb8>& a = ours.frame().color();
@@ -125,6 +128,13 @@ void compare(const Ours& ours, const Peer& peer, ShadingKind kind, Result& resul
   result.coverage_difference = coverage / pixels * 1e6;
   result.color_difference = colors / pixels * 1e6;
   result.pixels = covered;
+  if (result.coverage_difference <= coverage_limit) return;
+  const Image<std::uint8_t> exact = exact_coverage(scene, ids.width(), ids.height());
+  for (std::size_t i = 0; i < ids.pixels().size(); ++i) {
+    const bool covers = exact.pixels()[i] != 0;
+    result.our_error += covers != (ids.pixels()[i] >= 0) ? 1e6 / pixels : 0;
+    result.peer_error += covers != (there.pixels()[i] != 0) ? 1e6 / pixels : 0;
+  }
 }
 
 class Bench {
@@ -174,7 +184,7 @@ class Bench {
     draw_ours();  // warm up: memory is there, code is compiled
     draw_peer();
     draw_peer();
-    if (peer_) compare(*ours_, *peer_, kind, result);
+    if (peer_) compare(*ours_, *peer_, scene, kind, result);
     const int least = settings_.repeat > 0 ? settings_.repeat : settings_.quick ? 5 : 15;
     const double most_ms = settings_.repeat > 0 ? 0 : settings_.quick ? 600 : 3000;
     double spent = 0;
@@ -246,8 +256,14 @@ int run(int argc, char** argv) {
   app.add_option("--repeat", settings.repeat, "repetitions of each measurement");
   app.add_flag("--ours-only", settings.ours_only, "leave the peer out, for profiling");
   app.add_flag("--stats", settings.stats, "print what the engine did and skipped");
+  app.add_flag("--scaling", settings.scaling,
+               "instead: how time and memory follow threads, what is visible, and size");
   CLI11_PARSE(app, argc, argv);
   std::filesystem::create_directories(settings.out);
+  if (settings.scaling) {
+    std::ofstream(settings.out + "/scaling.json") << to_json(measure_scaling()).dump(1) << '\n';
+    return 0;
+  }
   print_header();
   std::vector<Result> results;
   for (const int threads : settings.threads) {

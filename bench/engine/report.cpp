@@ -120,6 +120,8 @@ nlohmann::json to_json(const std::vector<Result>& results) {
                      {"triangles", r.triangles},
                      {"covered_pixels", r.pixels},
                      {"coverage_difference_per_million", r.coverage_difference},
+                     {"our_coverage_error_per_million", r.our_error},
+                     {"peer_coverage_error_per_million", r.peer_error},
                      {"color_difference_per_million", r.color_difference},
                      {"prepare_ms", r.prepare_ms},
                      {"peak_memory_mb", r.peak_memory_mb}});
@@ -141,6 +143,8 @@ std::vector<Result> from_json(const nlohmann::json& json) {
     r.triangles = o["triangles"];
     r.pixels = o["covered_pixels"];
     r.coverage_difference = o["coverage_difference_per_million"];
+    r.our_error = o["our_coverage_error_per_million"];
+    r.peer_error = o["peer_coverage_error_per_million"];
     r.color_difference = o["color_difference_per_million"];
     r.prepare_ms = o["prepare_ms"];
     r.peak_memory_mb = o["peak_memory_mb"];
@@ -190,6 +194,10 @@ void print_row(const Result& result) {
     std::printf("%*s ", columns[i].width, texts[i].c_str());
   }
   std::printf("\n");
+  if (result.coverage_difference > coverage_limit) {
+    std::printf("  coverage unlike exact arithmetic, pixels per million: ours %.1f, peer %.1f\n",
+                result.our_error, result.peer_error);
+  }
   std::fflush(stdout);
 }
 

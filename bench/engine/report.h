@@ -8,6 +8,10 @@
 
 namespace rasterlab::bench {
 
+/// Pixels per million that two sides may cover differently before exact arithmetic is asked who is
+/// right.
+inline constexpr double coverage_limit = 20;
+
 struct Result {
   std::string scene;
   std::string shading;
@@ -19,7 +23,9 @@ struct Result {
   double triangles = 0;
   double pixels = 0;               ///< covered
   double coverage_difference = 0;  ///< pixels per million
-  double color_difference = 0;     ///< pixels per million that differ by more than 3 codes
+  double our_error = 0;  ///< where sides disagree: pixels per million unlike exact_coverage()
+  double peer_error = 0;
+  double color_difference = 0;  ///< pixels per million that differ by more than 3 codes
   double prepare_ms = 0;
   double peak_memory_mb = 0;
 

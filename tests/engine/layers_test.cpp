@@ -1,4 +1,5 @@
-// Closed meshes from every side, counted layer by layer: no sample is covered twice and none missed.
+// Closed meshes from every side, counted layer by layer: no sample is covered twice and none
+// missed.
 #include "common/engine/renderer.h"
 #include "common/mesh/shapes.h"
 
@@ -77,9 +78,9 @@ void from_every_side(float distance, const Check& check) {
       for (int z = -1; z <= 1; ++z) {
         if (x == 0 && y == 0 && z == 0) continue;
         SCOPED_TRACE(testing::Message() << "from (" << x << ", " << y << ", " << z << ")");
-        check(perspective_from(Eigen::Vector3f(static_cast<float>(x), static_cast<float>(y),
-                                               static_cast<float>(z)),
-                               distance));
+        check(perspective_from(
+            Eigen::Vector3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)),
+            distance));
       }
     }
   }

@@ -1,0 +1,25 @@
+// How time and memory follow what is visible, threads and size: our side only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace rasterlab::bench {
+
+struct ScalingResult {
+  std::string name;
+  double value;
+  double limit;
+  bool at_least;  ///< whether the limit is a lower one
+
+  bool reached() const { return at_least ? value >= limit : value <= limit; }
+};
+
+/// Measures all, each in a process of its own, and prints a line each.
+std::vector<ScalingResult> measure_scaling();
+
+nlohmann::json to_json(const std::vector<ScalingResult>& results);
+
+}  // namespace rasterlab::bench
