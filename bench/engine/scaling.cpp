@@ -5,8 +5,8 @@
 
 #include "bench/engine/bench_shaders.h"
 #include "bench/engine/pinning.h"
-#include "bench/engine/report.h"
 #include "bench/engine/scenes.h"
+#include "bench/support/statistics.h"
 
 #include <chrono>
 #include <cstdio>

@@ -229,7 +229,7 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
     float* to = record(first_slot + lane);
     for (std::size_t i = 0; i < words.size(); ++i) to[i] = std::bit_cast<float>(by_lane[i][lane]);
   }
-  if (!any(is_large)) return;
+  // Of all: a vector of pixels that has a large triangle asks the others for theirs as well.
   const std::array<Doubles, 3> exact = {exact_product(words[word::step1_y], py - y[2]) +
                                             exact_product(words[word::step1_x], px - x[2]),
                                         exact_product(words[word::step2_y], py - y[0]) +
