@@ -27,6 +27,8 @@
 #include <numbers>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
+
 namespace rasterlab {
 namespace {
 

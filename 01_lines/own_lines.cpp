@@ -12,6 +12,8 @@
 #include <cmath>
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 namespace rasterlab {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
+
 namespace rasterlab {
 namespace {
 

@@ -10,8 +10,11 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Dense>
+
+namespace CLI {
+class App;
+}
 
 namespace rasterlab {
 

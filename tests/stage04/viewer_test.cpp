@@ -19,6 +19,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <CLI/CLI.hpp>
+
 namespace rasterlab {
 namespace {
 
