@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <utility>
 
 namespace rasterlab {
 namespace formats {
@@ -142,7 +143,9 @@ AnyImage read_any_image(const std::filesystem::path& path) {
 
 template <class Pixel>
 Image<Pixel> read_image(const std::filesystem::path& path) {
-  return std::visit([](const auto& image) { return convert<Pixel>(image); }, read_any_image(path));
+  AnyImage image = read_any_image(path);
+  if (auto* same = std::get_if<Image<Pixel>>(&image)) return std::move(*same);
+  return std::visit([](const auto& pixels) { return convert<Pixel>(pixels); }, image);
 }
 
 void write_image(const std::filesystem::path& path, const AnyImage& image,
