@@ -31,6 +31,7 @@ std::uint8_t from_unit(float value) {
 }
 template <>
 std::uint16_t from_unit(float value) {
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): as to_byte()
   return value > 0 ? static_cast<std::uint16_t>(std::min(value, 1.0F) * 65535.0F + 0.5F)
                    : std::uint16_t{0};
 }

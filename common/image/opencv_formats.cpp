@@ -233,8 +233,8 @@ AnyImage from_opencv(const Source& source, const cv::Mat& picture) {
 
 template <class Pixel>
 cv::Mat to_opencv(const Image<Pixel>& image) {
-  const cv::Mat pixels(image.height(), image.width(), opencv_type<Pixel>(),
-                       const_cast<Pixel*>(image.row(0)));  // NOLINT: only read
+  cv::Mat pixels(image.height(), image.width(), opencv_type<Pixel>(),
+                 const_cast<Pixel*>(image.row(0)));  // NOLINT: only read
   constexpr int channels = pixel_kind<Pixel>.channels;
   if (channels == 1) return pixels;
   cv::Mat swapped;

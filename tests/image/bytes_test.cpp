@@ -110,6 +110,7 @@ TEST(stage01_files_whole, a_pipe_is_read_and_written) {
 TEST(stage01_files_whole, many_at_once) {
   const ScratchFolder folder;
   std::vector<std::thread> threads;
+  threads.reserve(8);
   for (int i = 0; i < 8; ++i) {
     threads.emplace_back([&, i] {
       for (int j = 0; j < 50; ++j) write_file(folder / "a.txt", std::string(1000, char('a' + i)));
