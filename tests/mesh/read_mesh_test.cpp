@@ -116,6 +116,55 @@ TEST(stage01_read_mesh, noise) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(stage01_read_mesh, damaged_anywhere) {
+  const std::vector<std::pair<std::string, std::string>> whole = {
+      {"a.off",
+       "OFF\n4 2 0\n0 0 0 1 0 0 0 0\n1 0 0 0 1 0 1 0\n0 1 0 0 0 1 0 1\n1 1 0 1 1 1 1 1\n"
+       "3 0 1 2\n3 1 3 2\n"},
+      {"a.obj",
+       "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\n"
+       "f 1/1/1 2/2/1 3/1/1 -1/2/1\nf 1 \\\n2 3\n"},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+       "property float z\nproperty uchar red\nelement face 1\n"
+       "property list uchar int vertex_indices\nend_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n"},
+      {"a.stl",
+       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+       "endloop\nendfacet\nendsolid a\n"}};
+  std::mt19937 random(3);
+  int refused = 0;
+  for (const auto& [name, bytes] : whole) {
+    ASSERT_EQ(refusal(name, bytes), "");
+    for (int round = 0; round < 3000; ++round) {
+      std::string damaged = bytes;
+      for (std::size_t i = 0; i <= random() % 3; ++i) {
+        const std::size_t at = random() % damaged.size();
+        switch (random() % 4) {
+          case 0:
+            damaged[at] = static_cast<char>(random() % 256);
+            break;
+          case 1:
+            damaged[at] = "0123456789-+.e/ \n\\"[random() % 18];
+            break;
+          case 2:
+            damaged.erase(at, 1 + random() % 20);
+            break;
+          default:
+            damaged.insert(at, damaged.substr(random() % damaged.size(), random() % 20));
+        }
+        if (damaged.empty()) damaged = " ";
+      }
+      try {
+        expect_sane(read_as(name, damaged));
+      } catch (const InputError& error) {
+        ++refused;
+        ASSERT_THAT(error.what(), testing::StartsWith(name + ":"));
+      }
+    }
+  }
+  EXPECT_GT(refused, 1000);
+}
+
 // ---- Files written for this project
 
 /// Six times the volume; positive when faces are counter-clockwise seen from outside.
