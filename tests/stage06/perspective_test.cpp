@@ -119,8 +119,8 @@ TEST(stage06_perspective_ladder, runs_are_exact_at_their_ends) {
   const auto truth = row.by(perspective_weights);
   const auto by_16 = row.by(weights_in_runs_of_16);
   const auto by_8 = row.by(weights_in_runs_of_8);
-  for (const std::size_t i : {0, 16, 32, 44}) EXPECT_LE((by_16[i] - truth[i]).norm(), 1e-15);
-  for (const std::size_t i : {0, 8, 16, 24, 32, 40, 44})
+  for (const std::size_t i : {0U, 16U, 32U, 44U}) EXPECT_LE((by_16[i] - truth[i]).norm(), 1e-15);
+  for (const std::size_t i : {0U, 8U, 16U, 24U, 32U, 40U, 44U})
     EXPECT_LE((by_8[i] - truth[i]).norm(), 1e-15);
   EXPECT_GT((by_16[8] - truth[8]).norm(), 1e-4) << "in between they are not";
 }

@@ -1,0 +1,109 @@
+// A fixed part of what `./lab stress` draws without end.
+#include "tests/stress/family.h"
+#include "tests/support/scratch.h"
+
+#include <cstring>
+
+#include <gmock/gmock.h>
+
+namespace rasterlab::stress {
+namespace {
+
+/// Cases of one seed until so many samples have been compared.
+class stress_families : public testing::TestWithParam<Family> {};
+
+TEST_P(stress_families, keep_their_contract) {
+  constexpr std::int64_t enough = 6'000'000;
+  constexpr std::uint64_t most_cases = 20000;
+  const Family& family = GetParam();
+  std::int64_t samples = 0;
+  for (std::uint64_t i = 0; i < most_cases && samples < enough; ++i) {
+    const Numbers numbers = draw(family, 1, i);
+    const Verdict verdict = check(family, numbers);
+    samples += verdict.samples;
+    ASSERT_EQ(verdict.violations, 0)
+        << family.contract << "; case " << i << ": " << verdict.first
+        << "\nsimplest: " << testing::PrintToString(shrink(family, numbers));
+  }
+  RecordProperty("samples", std::to_string(samples));
+  std::printf("%s: %lld samples, 0 violations\n", family.name.c_str(),
+              static_cast<long long>(samples));
+  EXPECT_GT(samples, 1000);
+}
+
+std::string name_of(const testing::TestParamInfo<Family>& parameter) {
+  return parameter.param.name;
+}
+INSTANTIATE_TEST_SUITE_P(all, stress_families, testing::ValuesIn(families()), name_of);
+
+/// "No number is above 100, and none is NaN."
+Family toy() {
+  return {"toy",
+          "numbers stay below 100",
+          2,
+          1,
+          [](Random& random) {
+            Numbers numbers;
+            for (int i = 0; i < 21; ++i) numbers.push_back(random.number(0, 110));
+            return numbers;
+          },
+          [](const Numbers& numbers, Verdict& verdict) {
+            for (const double number : numbers) {
+              verdict.expect(number < 100, [&] { return std::to_string(number); });
+            }
+          }};
+}
+
+TEST(stress_runner, finds_and_simplifies_a_violation) {
+  const Family family = toy();
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Numbers numbers = draw(family, 3, i);
+    if (check(family, numbers).violations == 0) continue;
+    const Numbers simplest = shrink(family, numbers);
+    EXPECT_GE(check(family, simplest).violations, 1);
+    EXPECT_LE(simplest.size(), 3U) << "groups that don't matter are left out";
+    return;
+  }
+  FAIL() << "no violation drawn";
+}
+
+TEST(stress_runner, what_is_thrown_is_a_violation) {
+  Family family = toy();
+  family.check = [](const Numbers&, Verdict&) { throw std::runtime_error("lost"); };
+  EXPECT_THAT(check(family, {}).first, testing::HasSubstr("lost"));
+}
+
+TEST(stress_runner, same_seed_same_cases) {
+  for (const Family& family : families()) {
+    EXPECT_EQ(draw(family, 7, 3).size(), draw(family, 7, 3).size()) << family.name;
+    const Numbers once = draw(family, 7, 3);
+    const Numbers again = draw(family, 7, 3);
+    EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(double)), 0);
+  }
+}
+
+TEST(stress_runner, a_saved_case_is_read_back_exactly) {
+  const ScratchFolder folder;
+  const Family& family = families().front();
+  const Numbers numbers = {0.1,
+                           -0.0,
+                           1e300,
+                           std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN(),
+                           5e-324};
+  save_case(folder / "case.json", family, numbers, {});
+  const SavedCase loaded = load_case(folder / "case.json");
+  EXPECT_EQ(loaded.family, &family);
+  ASSERT_EQ(loaded.numbers.size(), numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (std::isnan(numbers[i])) {
+      EXPECT_TRUE(std::isnan(loaded.numbers[i]));
+    } else {
+      EXPECT_EQ(loaded.numbers[i], numbers[i]);
+      EXPECT_EQ(std::signbit(loaded.numbers[i]), std::signbit(numbers[i]));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rasterlab::stress
