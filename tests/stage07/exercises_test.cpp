@@ -28,7 +28,8 @@ void expect_pictures(const std::string& id) {
   const ProcessResult result =
       run_process({program("07_shaders"), "--exercise", id, "--out", folder.path()});
   ASSERT_EQ(result.exit_status, 0) << result.err;
-  for (const std::string name : exercise(id).at("writes")) {
+  const nlohmann::json entry = exercise(id);
+  for (const std::string name : entry.at("writes")) {
     if (name.find('*') != std::string::npos || !name.ends_with(".png")) continue;
     const Image<Rgb8> picture = read_image<Rgb8>(folder / name);
     const auto drawn = std::count_if(picture.pixels().begin(), picture.pixels().end(),
