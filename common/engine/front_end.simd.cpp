@@ -431,7 +431,7 @@ void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Bi
   for (std::size_t c = 0; c < 3; ++c) {
     x[c] = part.snapped[c].x;
     y[c] = part.snapped[c].y;
-    depth[c] = static_cast<float>(part.corner[c]->depth / static_cast<double>(part.corner[c]->w));
+    depth[c] = part.corner[c]->reversed_depth();
   }
   const std::int64_t area = twice_area(part.snapped[0], part.snapped[1], part.snapped[2]);
   if (!any(kept_side(job.cull, Ints(area < 0 ? -1 : area > 0 ? 1 : 0)))) return;

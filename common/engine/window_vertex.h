@@ -55,9 +55,15 @@ inline Number reversed_depth(const ClipTransform& transform, Number x, Number y,
 
 /// A corner of what is left of a triangle.
 struct ClippedCorner {
-  float x, y, z, w;  ///< clip space
-  double depth;      ///< numerator of the reversed depth
-  double b1, b2;     ///< where in the triangle: weights of its corners 1 and 2
+  float x, y, z, w;       ///< clip space, rounded as exercise 04.9 rounds
+  double depth, depth_w;  ///< reversed depth's numerator, and its denominator: w, rounded less
+  double b1, b2;          ///< where in the triangle: weights of its corners 1 and 2
+
+  /// Of w at a cut single precision may leave nothing but rounding, which the numerator does not
+  /// share.
+  float reversed_depth() const {
+    return static_cast<float>(depth / (depth_w != 0 ? depth_w : static_cast<double>(w)));
+  }
 };
 
 struct ClippedPolygon {
@@ -79,6 +85,7 @@ inline ClippedCorner cut(const ClippedCorner& inside, const ClippedCorner& outsi
           mix(inside.z, outside.z),
           mix(inside.w, outside.w),
           mix_double(inside.depth, outside.depth),
+          mix_double(inside.depth_w, outside.depth_w),
           mix_double(inside.b1, outside.b1),
           mix_double(inside.b2, outside.b2)};
 }
@@ -110,7 +117,9 @@ inline ClippedCorner to_clipped_corner(const ClipTransform& transform,
     return ((m[0] * p[0] + m[1] * p[1]) + m[2] * p[2]) + m[3];
   };
   const auto& d = transform.depth_row;
-  return {row(0), row(1), row(2), row(3), ((d[0] * p[0] + d[1] * p[1]) + d[2] * p[2]) + d[3], 0, 0};
+  const double depth = ((d[0] * p[0] + d[1] * p[1]) + d[2] * p[2]) + d[3];
+  const float w = row(3);
+  return {row(0), row(1), row(2), w, depth, w, 0, 0};
 }
 
 /// What of a triangle is in front of the near plane and within the guard band, far outside the

@@ -93,9 +93,10 @@ class SceneReader {
 // As named, or beside the scene.
 std::filesystem::path find_mesh(const std::filesystem::path& scene, const SceneReader& reader) {
   const std::string& name = reader.word(0);
-  if (name.starts_with("builtin:") || std::filesystem::exists(name)) return name;
+  std::error_code none;  // a name too long for the file system is no file either
+  if (name.starts_with("builtin:") || std::filesystem::exists(name, none)) return name;
   const std::filesystem::path beside = scene.parent_path() / name;
-  if (std::filesystem::exists(beside)) return beside;
+  if (std::filesystem::exists(beside, none)) return beside;
   reader.fail();
 }
 

@@ -8,8 +8,11 @@
 
 #include "tests/stress/family.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 
 namespace rasterlab::stress {
 namespace {
@@ -41,20 +44,29 @@ void add_exercise_coverage(const ClipTriangle& triangle, Count& count) {
                  [&](const TrianglePixel& pixel) { ++count.row(pixel.y)[pixel.x]; });
 }
 
+struct Drawn {
+  Count ids;
+  Image<float> depth;
+};
+
 /// The mesh's vertices are the unit vectors: the columns of the matrix are the corners.
-Count engine_ids(const ClipTriangle& triangle) {
+Drawn engine_draw(const ClipTriangle& triangle, SimdTarget simd) {
   static const Mesh mesh = {.positions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                             .normals = {},
                             .colors = {},
                             .texture_coordinates = {},
                             .triangles = {{0, 1, 2}}};
   static const PreparedMesh prepared(mesh);
-  thread_local Renderer renderer({.threads = 1, .skip = {}});
+  thread_local std::map<SimdTarget, std::unique_ptr<Renderer>> renderers;
+  std::unique_ptr<Renderer>& renderer = renderers[simd];
+  if (!renderer) {
+    renderer = std::make_unique<Renderer>(EngineOptions{.threads = 1, .simd = simd, .skip = {}});
+  }
   Eigen::Matrix4f matrix = Eigen::Matrix4f::Zero();
   for (int i = 0; i < 3; ++i) matrix.col(i) = triangle[static_cast<std::size_t>(i)];
   Framebuffer frame(width, height);
-  renderer.draw({.mesh = &prepared, .matrix = matrix}, frame);
-  return frame.ids();
+  renderer->draw({.mesh = &prepared, .matrix = matrix}, frame);
+  return {frame.ids(), frame.depth()};
 }
 
 /// Whether all components stay finite when the matrix of corners is applied: 0 · ∞ is NaN, so the
@@ -65,28 +77,6 @@ bool reaches_engine(const ClipTriangle& triangle) {
 
 std::string at(int x, int y) {
   return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")";
-}
-
-void check_same_pixels(const ClipTriangle& triangle, Verdict& verdict) {
-  Count count(width, height, 0);
-  add_exercise_coverage(triangle, count);
-  if (!reaches_engine(triangle)) {
-    verdict.samples += width * height;
-    return;
-  }
-  const Count ids = engine_ids(triangle);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      verdict.expect(count.row(y)[x] == (ids.row(y)[x] >= 0 ? 1 : 0), [&] {
-        return "the exercise covers " + at(x, y) + " " + std::to_string(count.row(y)[x]) +
-               " times, the engine " + (ids.row(y)[x] >= 0 ? "once" : "not at all");
-      });
-    }
-  }
-}
-
-void check_all_same(const Numbers& numbers, Verdict& verdict) {
-  for (const ClipTriangle& triangle : clip_triangles(numbers)) check_same_pixels(triangle, verdict);
 }
 
 /// Where a point of the window lies in a triangle whose corners may be behind the eye.
@@ -142,6 +132,58 @@ class HomogeneousTriangle {
   std::array<Float128, 3> w_;
   Float128 determinant_;
 };
+
+void check_same_pixels(const ClipTriangle& triangle, Verdict& verdict) {
+  Count count(width, height, 0);
+  add_exercise_coverage(triangle, count);
+  if (!reaches_engine(triangle)) {
+    verdict.samples += width * height;
+    return;
+  }
+  const Count ids = engine_draw(triangle, best_simd_target()).ids;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const bool same = count.row(y)[x] == (ids.row(y)[x] >= 0 ? 1 : 0);
+      verdict.expect(same, [&] {
+        return "the exercise covers " + at(x, y) + " " + std::to_string(count.row(y)[x]) +
+               " times, the engine " + (ids.row(y)[x] >= 0 ? "once" : "not at all");
+      });
+    }
+  }
+}
+
+/// In front of the near plane and within the guard band: nothing is cut.
+bool stays_whole(const ClipTriangle& triangle) {
+  const Eigen::Vector2f guard = guard_band(width, height);
+  return std::all_of(triangle.begin(), triangle.end(), [&](const Eigen::Vector4f& p) {
+    return p.w() > 0 && p.z() >= -p.w() && std::abs(p.x()) <= guard.x() * p.w() &&
+           std::abs(p.y()) <= guard.y() * p.w();
+  });
+}
+
+void check_same_bytes(const ClipTriangle& triangle, Verdict& verdict) {
+  const Drawn expected = engine_draw(triangle, SimdTarget::scalar);
+  for (const SimdTarget simd : supported_simd_targets()) {
+    const Drawn found = engine_draw(triangle, simd);
+    for (std::size_t i = 0; i < expected.ids.pixels().size(); ++i) {
+      verdict.expect(found.ids.pixels()[i] == expected.ids.pixels()[i] &&
+                         found.depth.pixels()[i] == expected.depth.pixels()[i],
+                     [&] { return "SIMD targets differ in pixel " + std::to_string(i); });
+      verdict.expect(found.depth.pixels()[i] >= 0 && std::isfinite(found.depth.pixels()[i]),
+                     [&] { return "a depth is " + std::to_string(found.depth.pixels()[i]); });
+    }
+  }
+}
+
+/// Cuts of such triangles may be nothing but rounding; those that need none must be right.
+void check_extremes(const Numbers& numbers, Verdict& verdict) {
+  for (const ClipTriangle& triangle : clip_triangles(numbers)) {
+    check_same_bytes(triangle, verdict);
+    Count count(width, height, 0);
+    add_exercise_coverage(triangle, count);  // must return
+    if (stays_whole(triangle)) check_same_pixels(triangle, verdict);
+  }
+}
 
 enum class Truth { covered, not_covered, too_close };
 
@@ -332,7 +374,7 @@ Numbers odd_pictures(Random& random) {
 
 void check_picture(const Numbers& n, Verdict& verdict) {
   if (n.size() != 6) return;
-  static const Mesh mesh = make_shape("torus_knot:2");
+  static const Mesh mesh = make_shape("torus_knot:4");
   const auto side = [](double number) {
     return static_cast<int>(std::clamp(number, 1.0, 16384.0));
   };
@@ -352,10 +394,14 @@ void check_picture(const Numbers& n, Verdict& verdict) {
 std::vector<Family> clipping_families() {
   return {
       {"special_floats",
-       "with any float in any component exercise and engine draw the same pixels, and return",
-       per_triangle, 0, special_floats, check_all_same},
-      {"beyond_range", "with coordinates to FLT_MAX/16 exercise and engine draw the same pixels",
-       per_triangle, 0, beyond_range, check_all_same},
+       "with any float in any component all SIMD targets draw the same bytes and finite depths, "
+       "and "
+       "uncut triangles where the exercise code does",
+       per_triangle, 0, special_floats, check_extremes},
+      {"beyond_range",
+       "with coordinates to FLT_MAX/16 all SIMD targets draw the same bytes and finite depths, and "
+       "uncut triangles where the exercise code does",
+       per_triangle, 0, beyond_range, check_extremes},
       {"w_through_zero",
        "exercise and engine draw the same pixels, and those farther than 1/64 px from an edge are "
        "what homogeneous edge functions in 128-bit floats say",
