@@ -16,10 +16,9 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include <CLI/CLI.hpp>
 
 namespace rasterlab {
 namespace {
