@@ -150,9 +150,9 @@ TEST(stage01_read_mesh, damaged_anywhere) {
             damaged.erase(at, 1 + random() % 20);
             break;
           default:
-            damaged.insert(at, damaged.substr(random() % damaged.size(), random() % 20));
+            damaged.insert(at, std::string(random() % 20, damaged[at]));
         }
-        if (damaged.empty()) damaged = " ";
+        if (damaged.empty()) damaged.push_back(' ');
       }
       try {
         expect_sane(read_as(name, damaged));

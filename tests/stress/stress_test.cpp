@@ -10,23 +10,23 @@ namespace rasterlab::stress {
 namespace {
 
 /// Cases of one seed until so many samples have been compared.
-class stress_families : public testing::TestWithParam<Family> {};
+class family : public testing::TestWithParam<Family> {};
 
-TEST_P(stress_families, keep_their_contract) {
+TEST_P(family, keeps_its_contract) {
   constexpr std::int64_t enough = 6'000'000;
   constexpr std::uint64_t most_cases = 20000;
-  const Family& family = GetParam();
+  const Family& drawn = GetParam();
   std::int64_t samples = 0;
   for (std::uint64_t i = 0; i < most_cases && samples < enough; ++i) {
-    const Numbers numbers = draw(family, 1, i);
-    const Verdict verdict = check(family, numbers);
+    const Numbers numbers = draw(drawn, 1, i);
+    const Verdict verdict = check(drawn, numbers);
     samples += verdict.samples;
     ASSERT_EQ(verdict.violations, 0)
-        << family.contract << "; case " << i << ": " << verdict.first
-        << "\nsimplest: " << testing::PrintToString(shrink(family, numbers));
+        << drawn.contract << "; case " << i << ": " << verdict.first
+        << "\nsimplest: " << testing::PrintToString(shrink(drawn, numbers));
   }
   RecordProperty("samples", std::to_string(samples));
-  std::printf("%s: %lld samples, 0 violations\n", family.name.c_str(),
+  std::printf("%s: %lld samples, 0 violations\n", drawn.name.c_str(),
               static_cast<long long>(samples));
   EXPECT_GT(samples, 1000);
 }
@@ -34,7 +34,7 @@ TEST_P(stress_families, keep_their_contract) {
 std::string name_of(const testing::TestParamInfo<Family>& parameter) {
   return parameter.param.name;
 }
-INSTANTIATE_TEST_SUITE_P(all, stress_families, testing::ValuesIn(families()), name_of);
+INSTANTIATE_TEST_SUITE_P(stress, family, testing::ValuesIn(families()), name_of);
 
 /// "No number is above 100, and none is NaN."
 Family toy() {
