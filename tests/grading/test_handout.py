@@ -1,5 +1,6 @@
 """What a starter tree holds, before it is built."""
 
+import os
 import pathlib
 import subprocess
 
@@ -62,6 +63,7 @@ def test_checksums_are_sha256sums(tmp_path: pathlib.Path) -> None:
     subprocess.run(["sha256sum", "--check", "--quiet", archive.CHECKSUMS], cwd=tmp_path, check=True)
 
 
+@pytest.mark.skipif("RASTERLAB_LONG_TESTS" not in os.environ, reason="builds a starter: set RASTERLAB_LONG_TESTS=1")
 def test_a_starter_is_proved_before_it_is_handed_out(tmp_path: pathlib.Path) -> None:
     out = tmp_path / "starter"
     assert handout.main(["--stage", "01", "--out", str(out), "--archive", str(tmp_path / "a.tar.gz"), "--quick", "-q"]) == 0
