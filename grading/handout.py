@@ -20,7 +20,8 @@ from grading.kit import Kit
 from grading.manifest import ROOT, Exercise
 
 # Whole files and folders that students never get: the teachers', and the checks this repository makes of itself.
-TEACHERS = ("grading/", "tests/grading/", "tests/house/", "docs/teaching.md", "docs/grading-safety.md", ".ci/", ".github/")
+TEACHERS = ("grading/", "tests/grading/", "tests/house/", "tests/stress/", "tests/fuzz/", "docs/teaching.md",
+            "docs/grading-safety.md", "docs/stress.md", ".ci/", ".github/")
 
 # Where starters are built to prove them.
 PROOFS = ROOT / "build" / "handout"
