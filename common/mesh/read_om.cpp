@@ -249,6 +249,18 @@ void add_faces(const PolygonMesh& source, const std::string& file, MeshBuilder& 
   }
 }
 
+/// Whether OpenMesh could read it. It throws what it likes where a chunk is damaged.
+bool read_by_openmesh(std::istream& stream, CheckedImporter& importer,
+                      OpenMesh::IO::Options& options) {
+  try {
+    return OpenMesh::IO::OMReader().read(stream, importer, options);
+  } catch (const InputError&) {
+    throw;  // the importer's own
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 bool looks_like_om(std::string_view bytes) {
@@ -266,7 +278,7 @@ Mesh read_om(std::string_view bytes, const std::string& file) {
   options += OpenMesh::IO::Options::VertexNormal;
   options += OpenMesh::IO::Options::VertexColor;
   options += OpenMesh::IO::Options::VertexTexCoord;
-  if (!OpenMesh::IO::OMReader().read(stream, importer, options)) {
+  if (!read_by_openmesh(stream, importer, options)) {
     throw InputError(file + ": OpenMesh " + std::to_string(OM_GET_VER) +
                      " cannot read this OM file");
   }

@@ -152,12 +152,13 @@ void check_same_pixels(const ClipTriangle& triangle, Verdict& verdict) {
   }
 }
 
-/// In front of the near plane and within the guard band: nothing is cut.
+/// In front of the near plane, within the guard band, and nearer than the far plane by more than a
+/// depth's rounding: nothing is cut.
 bool stays_whole(const ClipTriangle& triangle) {
   const Eigen::Vector2f guard = guard_band(width, height);
   return std::all_of(triangle.begin(), triangle.end(), [&](const Eigen::Vector4f& p) {
-    return p.w() > 0 && p.z() >= -p.w() && std::abs(p.x()) <= guard.x() * p.w() &&
-           std::abs(p.y()) <= guard.y() * p.w();
+    return p.w() > 0 && p.z() >= -p.w() && p.z() <= 0.999F * p.w() &&
+           std::abs(p.x()) <= guard.x() * p.w() && std::abs(p.y()) <= guard.y() * p.w();
   });
 }
 
