@@ -5,7 +5,9 @@
 
 namespace rasterlab {
 
-float flat_intensity(const Eigen::Vector3f& normal) { return std::max(normal.z(), 0.0F); }
+float flat_intensity(const Eigen::Vector3f& normal) {
+  return std::max(normal.z(), 0.0F);
+}
 
 void draw_flat_faces(Image<Rgb8>& image, const Mesh& mesh) {
   for (const Mesh::Triangle& face : mesh.triangles) {

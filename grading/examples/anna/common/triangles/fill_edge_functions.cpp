@@ -21,7 +21,8 @@ void fill_edge_functions(Image<Rgb8>& image, const Corners& corners, const Rgb8&
     for (int x = 0; x < image.width(); ++x) {
       const std::int64_t cx = 256 * x + 128, cy = 256 * y + 128;
       const int side = sign_of_side(p[0], p[1], cx, cy);
-      if (side != 0 && side == sign_of_side(p[1], p[2], cx, cy) && side == sign_of_side(p[2], p[0], cx, cy))
+      if (side != 0 && side == sign_of_side(p[1], p[2], cx, cy) &&
+          side == sign_of_side(p[2], p[0], cx, cy))
         image(x, y) = color;
     }
   }

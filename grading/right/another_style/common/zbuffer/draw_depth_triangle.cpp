@@ -1,4 +1,5 @@
-// A right answer written differently: interpolated by differences from the first corner, tested by hand.
+// A right answer written differently: interpolated by differences from the first corner, tested by
+// hand.
 #include "common/zbuffer/draw_depth_triangle.h"
 
 #include "common/triangles/rasterize.h"
@@ -14,8 +15,8 @@ void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,
         const auto z = float(a.z + w[1] * (double(b.z) - a.z) + w[2] * (double(c.z) - a.z));
         if (z < -1 || z > 1 || !depth.test(x, y, z)) return;
         depth.write(x, y, z);
-        const Eigen::Vector3d mixed = a.color.cast<double>() * w[0] + b.color.cast<double>() * w[1] +
-                                      c.color.cast<double>() * w[2];
+        const Eigen::Vector3d mixed = a.color.cast<double>() * w[0] +
+                                      b.color.cast<double>() * w[1] + c.color.cast<double>() * w[2];
         image(x, y) = to_rgb8(mixed.cast<float>());
       });
 }

@@ -1,5 +1,5 @@
-// A right answer written differently: for every step the nearest pixel by a rounded division, from the
-// other end, with the other choice where two are equally near.
+// A right answer written differently: for every step the nearest pixel by a rounded division, from
+// the other end, with the other choice where two are equally near.
 #include "common/lines/bresenham.h"
 
 #include <cstdint>
@@ -21,7 +21,8 @@ LineDiscrete line_bresenham(const Point& p0, const Point& p1) {
   };
   LineDiscrete line;
   for (std::int64_t k = 0; k <= steps; ++k) {
-    line.append({static_cast<int>(p1.x() + nearest(k, dx)), static_cast<int>(p1.y() + nearest(k, dy))});
+    line.append(
+        {static_cast<int>(p1.x() + nearest(k, dx)), static_cast<int>(p1.y() + nearest(k, dy))});
   }
   return line;
 }

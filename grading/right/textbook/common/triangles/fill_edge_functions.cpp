@@ -1,5 +1,5 @@
-// A right answer written differently: every pixel of the image is asked, in 64-bit products, with the rule said
-// as an infinitely small step instead of as thresholds.
+// A right answer written differently: every pixel of the image is asked, in 64-bit products, with
+// the rule said as an infinitely small step instead of as thresholds.
 #include "common/triangles/fill_edge_functions.h"
 
 #include <cstdint>
@@ -23,7 +23,8 @@ void fill_edge_functions(Image<Rgb8>& image, const Corners& corners, const Rgb8&
     for (int x = 0; x < image.width(); ++x) {
       const std::int64_t cx = 256 * x + 128, cy = 256 * y + 128;
       const int side = sign_of_side(p[0], p[1], cx, cy);
-      if (side != 0 && side == sign_of_side(p[1], p[2], cx, cy) && side == sign_of_side(p[2], p[0], cx, cy))
+      if (side != 0 && side == sign_of_side(p[1], p[2], cx, cy) &&
+          side == sign_of_side(p[2], p[0], cx, cy))
         image(x, y) = color;
     }
   }
