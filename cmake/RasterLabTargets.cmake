@@ -44,6 +44,9 @@ function(rasterlab_add_stage stage)
   endif()
 endfunction()
 
+# A test is compiled for longer than it runs; what it calls in common is optimized in full.
+set(RASTERLAB_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # rasterlab_add_tests(<name> LABELS <labels>... SOURCES <files>... [LIBRARIES <targets>...]
 #                     [PROPERTIES <ctest properties>...])
 # One GoogleTest executable. TEST(stage02_fill_triangle, shared_edge) is the CTest
@@ -62,6 +65,7 @@ function(rasterlab_add_tests name)
   # The C++ library stands before common's archive: what gmock needs of it, also defined in common/stage, would else
   # bring in the stage framework, which only a stage's executable can link.
   rasterlab_add_program(${name} ${arg_SOURCES} LIBRARIES GTest::gmock stdc++ rasterlab_test_support ${arg_LIBRARIES})
+  target_compile_options(${name} PRIVATE ${RASTERLAB_TEST_OPTIONS})
   target_precompile_headers(${name} REUSE_FROM rasterlab_test_support)
   set_property(GLOBAL APPEND PROPERTY RASTERLAB_TEST_PROGRAMS ${name})
   set(list_file "${CMAKE_CURRENT_BINARY_DIR}/${name}_tests.cmake")
