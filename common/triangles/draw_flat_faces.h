@@ -18,7 +18,7 @@ float flat_intensity(const Eigen::Vector3f& normal);
 /// wrong with that, stage 03 repairs.
 ///
 /// Faces without area, and faces with a corner beyond ±2^30 pixels or not a number, are left out. A
-/// right answer is within 1 of 255 in every channel.
+/// right answer is within 1 of 255 in every channel. Cost: the pixels covered.
 ///
 /// Source: B.flat.
 void draw_flat_faces(Image<Rgb8>& image, const Mesh& mesh);

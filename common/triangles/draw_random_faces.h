@@ -15,7 +15,8 @@ namespace rasterlab {
 /// every pixel inside the outline is drawn.
 ///
 /// Free: how colours are drawn from the seed. Another seed gives other colours. Faces with a corner
-/// beyond ±2^30 pixels, or not a number, are left out.
+/// beyond ±2^30 pixels, or not a number, are left out; faces without area cover nothing. Cost: the
+/// pixels covered.
 ///
 /// Source: B.head.
 void draw_random_faces(Image<Rgb8>& image, const Mesh& mesh, std::uint32_t seed);

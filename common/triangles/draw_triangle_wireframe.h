@@ -13,7 +13,8 @@ namespace rasterlab {
 /// any order, inside the image or not; repeated or collinear corners give a line or one pixel.
 /// Coordinates to ±2^30; throws CheckError beyond.
 ///
-/// Free: which of two equally near pixels a side has, as in draw_line().
+/// Free: which of two equally near pixels a side has, as in draw_line(). Cost: the sides' pixels
+/// inside the image.
 ///
 /// Source: A.Q19, B.triangle.
 void draw_triangle_wireframe(Image<Rgb8>& image, const std::array<Point, 3>& corners,

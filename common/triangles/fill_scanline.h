@@ -12,7 +12,8 @@ namespace rasterlab {
 
 /// Draws all pixels of a triangle whose corners are pixels, sides included: in every row those from
 /// the leftmost to the rightmost pixel of make_triangle_scanline(), as far as they are inside the
-/// image. Coordinates to ±2^30; throws CheckError beyond. Cost: rows and pixels inside the image.
+/// image. Repeated or collinear corners fill a line or one pixel. Coordinates to ±2^30; throws
+/// CheckError beyond. Cost: rows and pixels inside the image.
 ///
 /// Free: what the sides leave free, as in make_triangle_scanline().
 ///

@@ -12,7 +12,9 @@ namespace rasterlab {
 /// there. Not drawn: what is outside the image; what has z outside [−1, 1], before the near or
 /// behind the far plane; a z that is not a number.
 ///
-/// `depth` is as large as `image`. Source: A.Q27.
+/// `depth` is as large as `image`. Free: nothing. Cost: one comparison.
+///
+/// Source: A.Q27.
 void draw_point(Image<Rgb8>& image, DepthBuffer& depth, const Point& point, float z,
                 const Color& color);
 

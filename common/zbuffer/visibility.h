@@ -37,6 +37,9 @@ using VisibleTriangles = Image<std::int32_t>;
 ///
 ///   1/d = Σ wᵢ/dᵢ with the barycentric weights wᵢ of the pixel's centre.
 ///
+/// A triangle without area covers nothing. Throws CheckError for corners beyond ±32768 pixels.
+/// Cost: one step per pixel that a triangle covers.
+///
 /// Source: B.zbuffer, C.3.
 using VisibilityFunction = VisibleTriangles (*)(const VisibilityScene& scene);
 

@@ -6,6 +6,8 @@
 
 #include "tests/oracle/exact_visibility.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -94,6 +96,21 @@ TEST(stage03_draw_flat_depth, faces_turned_away_are_left_out) {
   DepthBuffer depth(8, 8);
   draw_flat_depth(image, depth, wall);
   EXPECT_EQ(image, Image<Rgb8>(8, 8));
+}
+
+TEST(stage03_draw_flat_depth, faces_that_are_none_are_left_out) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Eigen::Vector3f& corner :
+       {Eigen::Vector3f(1, -1, 0), {0.5F, -1, 0}, {1e30F, 1, 0}, {0, nan, 0}, {0, 1, nan}}) {
+    Mesh mesh;
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, corner};
+    mesh.triangles = {{0, 1, 2}};
+    Image<Rgb8> image(8, 8);
+    DepthBuffer depth(8, 8);
+    EXPECT_NO_THROW(draw_flat_depth(image, depth, mesh));
+    EXPECT_EQ(image, Image<Rgb8>(8, 8))
+        << "a face with a corner at (" << corner.transpose() << ") has no area, or no place";
+  }
 }
 
 }  // namespace
