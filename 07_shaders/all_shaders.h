@@ -18,7 +18,8 @@ struct ShadedPicture {
 
 /// What every shader of the list (shader_list.h), in its order, makes of the same inputs: which
 /// must have all the maps, and a mesh that has normals, texture coordinates and colours. Nothing is
-/// kept from one call to the next, so that a light that turns turns for all.
+/// kept from one call to the next, so that a light that turns turns for all. Cost: one picture a
+/// shader.
 ///
 /// Source: B.all.
 std::vector<ShadedPicture> draw_all_shaders(const ShaderInputs& inputs, Size size);

@@ -16,7 +16,7 @@ namespace rasterlab {
 /// which is 0 where n·l ≤ 0 or n·h ≤ 0, and where light and eye are in opposite directions (l + e =
 /// 0). The same shininess gives a wider highlight than Phong's: the angle between n and h is about
 /// half of that between r and e. Light and eye may be near or at infinity: direction_to() of
-/// reflection.h gives l and e for either.
+/// reflection.h gives l and e for either. Cost: one square root and one power.
 ///
 /// Source: C.4; J. F. Blinn, "Models of Light Reflection for Computer Synthesized Pictures",
 /// SIGGRAPH 1977. In C.4 the light is a point (w = 1) or at infinity (w = 0), and every channel is

@@ -13,6 +13,7 @@ namespace rasterlab {
 /// (exercise 04.10). Light and eye are where they are seen from there; the colour is the mesh's own
 /// at that vertex, unless `color` says otherwise. Light does not shine through: a vertex turned
 /// away from it gets ambient light alone. Throws CheckError when the mesh has no normals.
+/// Cost: one reflection a vertex, seen or not.
 ///
 /// Source: A.Q32.
 std::vector<Color> light_vertices(const LitMesh& lit_mesh);

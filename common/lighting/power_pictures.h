@@ -16,7 +16,7 @@ struct PowerPictures {
 /// Draws the mesh with `power` for its material's shininess, lit at every pixel (exercise 05.5), on
 /// black pictures of width × height: once with the material's specular part alone, once as it is.
 /// With power 0 the highlight is everywhere the mesh is lit and mirrors at all, and has a hard
-/// edge; the higher the power, the smaller it is.
+/// edge; the higher the power, the smaller it is. Cost: the mesh drawn twice.
 ///
 /// Source: B.power, with powers 0 to 10.
 PowerPictures draw_power(const LitMesh& lit_mesh, float power, int width, int height);

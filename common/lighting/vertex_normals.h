@@ -20,7 +20,7 @@ namespace rasterlab {
 /// split has a normal on each side.
 ///
 /// The mean depends on how a flat face is cut into triangles: angle_weighted_normals() of
-/// common/mesh/normals.h does not.
+/// common/mesh/normals.h does not. Cost: the triangles and the vertices, once each.
 ///
 /// Source: C.4, A.7; H. Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on
 /// Computers C-20(6), 1971.

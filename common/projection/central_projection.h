@@ -13,7 +13,7 @@ namespace rasterlab {
 /// front of the eye (w ≤ 0).
 ///
 /// An infinite distance gives the identity: the orthographic projection. Throws CheckError for a
-/// distance that is not positive.
+/// distance that is not positive. Cost: constant, once a picture.
 ///
 /// Source: B.projection, with distance 2.
 Eigen::Matrix4f central_projection(float distance);

@@ -11,7 +11,8 @@ namespace rasterlab {
 ///
 /// `fovy` is the angle between the top and the bottom of the picture, in degrees, `aspect` its
 /// width divided by its height. `far` may be infinite, which is the limit of the same formula.
-/// Throws CheckError unless 0 < fovy < 180, 0 < aspect, 0 < near < far.
+/// Throws CheckError unless 0 < fovy < 180, 0 < aspect, 0 < near < far. Cost: one tangent, once a
+/// picture.
 ///
 /// Source: A.Q30, with 60°, 1, 0.1, 20; OpenGL 1.0's gluPerspective.
 Eigen::Matrix4f perspective(float fovy, float aspect, float near, float far);

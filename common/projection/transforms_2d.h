@@ -3,6 +3,8 @@
 // A figure's point (x, y) is written (x, y, 1), a direction (x, y, 0). A 3 × 3 matrix then moves
 // points but not directions, and one matrix after another is their product: `(A * B) * p` applies B
 // first. The frame is the course's, x right and y up; the stage turns it over when it draws.
+// Any finite numbers will do; a factor of 0 presses the plane onto a line, from which nothing leads
+// back. Cost: constant.
 //
 // Source: B.transforms; Foley, van Dam, Feiner, Hughes, "Computer Graphics", section 5.3.
 #pragma once

@@ -15,7 +15,8 @@ Eigen::Matrix4f scaling(const Eigen::Vector3f& factors);
 /// the bottom right one, to (x + width, y + height). All four are in pixels, y down: so a picture's
 /// own viewport is viewport(0, 0, width, height), and the point that lands on the centre of pixel
 /// (i, j) lands on (i + ½, j + ½). NDC y is up, hence y is turned over. z stays: the depth buffer
-/// holds NDC's.
+/// holds NDC's. A rectangle without width or height presses all onto a line. Cost: constant, once a
+/// picture.
 ///
 /// Source: B.viewport. The slide keeps y up and turns the finished picture over; it maps z to [0,
 /// 255].

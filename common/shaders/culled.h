@@ -9,7 +9,7 @@ namespace rasterlab {
 /// A pixel's fragment, discarded also where it shows the side that `cull` names, Cull::none naming
 /// neither. Front and back are as the camera sees them, in any projection, under a model that
 /// mirrors too, and wherever the light is: `front_facing` of the pixel's SurfacePoint says which.
-/// The fragment's colour stays as it is.
+/// The fragment's colour stays as it is. Cost: one comparison.
 ///
 /// Source: B.culler.
 template <class Number>

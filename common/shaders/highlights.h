@@ -12,7 +12,7 @@ namespace rasterlab {
 
 /// Phong's reflection (common/lighting/phong.h) with the normal, light and eye of this very point,
 /// all in the world. That header says what happens on a side turned away from light or eye, and to
-/// a normal that is zero. Source: B.phong.
+/// a normal that is zero. Cost: three square roots and one power. Source: B.phong.
 struct Phong {
   template <class NormalSource>
   using Reads = ReadsOfPointAndNormal<NormalSource>;

@@ -42,7 +42,7 @@ struct ObjectSpaceNormalMap {
 /// `normal` renormalised, t is `tangent` made perpendicular to n, and b = handedness · (n × t), the
 /// direction in which v grows. Where tangent and normal are parallel, or the tangent is zero,
 /// local.x and local.y count for nothing; where the normal is zero, local.y and local.z. What is
-/// then left being zero, so is the result.
+/// then left being zero, so is the result. Cost: three square roots.
 ///
 /// Source: B.normal; Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978.
 template <class Number>

@@ -8,7 +8,7 @@ namespace rasterlab {
 
 /// A value of [0, 1] to one of `levels` ≥ 2 evenly spaced ones, 0 and 1 among them: [0, 1] is cut
 /// into `levels` bands of equal width, the lowest becomes 0, the highest, with 1, becomes 1. Below
-/// 0 and NaN count as 0, above 1 as 1.
+/// 0 and NaN count as 0, above 1 as 1. Cost: one rounding.
 template <class Number>
 Number quantize(const Number& value, int levels);
 

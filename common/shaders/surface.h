@@ -13,7 +13,7 @@ namespace rasterlab {
 /// The colour of a point: what the colour source says, in the light that the light model says, as
 /// lit() of the light model's result puts the two together: color · shade for a Shade, not clamped
 /// above, or, at most 1, that of common/lighting/reflection.h for a Reflection. The normal source
-/// is handed to the light model, which asks it or does not.
+/// is handed to the light model, which asks it or does not. Cost: what its parts cost.
 template <class Point, class ColorSource, class NormalSource, class LightModel>
 Vector3<typename Point::Number> surface_color(const Point& point, const ColorSource& color,
                                               const NormalSource& normals, const LightModel& light);

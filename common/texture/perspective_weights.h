@@ -36,8 +36,8 @@ void perspective_weights(const PerspectiveRow& row, std::span<Eigen::Vector3d> o
 
 /// The weights on the triangle of one pixel: bᵢ = (λᵢ/wᵢ) / Σⱼ(λⱼ/wⱼ), λ being its weights on the
 /// screen. Within a few units in the last place of a double, slivers and ratios of w of 10^5
-/// included. Source: C.5; Heckbert and Moreton, "Interpolation for Polygon Texture Mapping and
-/// Shading", 1991.
+/// included. Cost: one division. Source: C.5; Heckbert and Moreton, "Interpolation for Polygon
+/// Texture Mapping and Shading", 1991.
 Eigen::Vector3d exact_weights(const Eigen::Vector3d& on_screen, const Eigen::Vector3d& inverse_w);
 
 }  // namespace rasterlab

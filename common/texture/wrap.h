@@ -20,7 +20,7 @@ enum class Wrap { repeat, clamp, mirror };
 ///   0.75.
 /// Just below 0, where u − ⌊u⌋ is nearer to 1 than any float below it, repeat gives 1. −0 counts
 /// as 0. From 2^24 on every float is whole: repeat gives 0, mirror 0 or 1. ±∞ clamps to an end and
-/// otherwise gives 0; NaN gives 0.
+/// otherwise gives 0; NaN gives 0. Cost: one rounding.
 ///
 /// Runs on any Number (common/image/number.h). Source: A.Q33, B.texture, C.5; the modes are
 /// OpenGL 4.6 core, 8.14.2.
