@@ -56,9 +56,10 @@ rasterlab_note_part("live window (--window)" "${OPENCV_highgui_LIBRARY}" libopen
 
 find_path(OPENMESH_INCLUDE OpenMesh/Core/IO/MeshIO.hh REQUIRED)
 find_library(OPENMESH_CORE OpenMeshCore REQUIRED)
+find_library(OPENMESH_TOOLS OpenMeshTools REQUIRED)
 add_library(rasterlab_openmesh INTERFACE)
 target_include_directories(rasterlab_openmesh SYSTEM INTERFACE "${OPENMESH_INCLUDE}")
-target_link_libraries(rasterlab_openmesh INTERFACE "${OPENMESH_CORE}")
+target_link_libraries(rasterlab_openmesh INTERFACE "${OPENMESH_TOOLS}" "${OPENMESH_CORE}")
 
 find_path(STB_INCLUDE stb/stb_image.h REQUIRED)
 find_path(HIGHWAY_INCLUDE hwy/highway.h REQUIRED)

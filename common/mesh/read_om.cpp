@@ -3,6 +3,7 @@
 #include "common/image/check.h"
 #include "common/mesh/byte_reader.h"
 #include "common/mesh/mesh_builder.h"
+#include "common/mesh/openmesh_silence.h"
 
 #include <sstream>
 #include <utility>
@@ -210,15 +211,6 @@ class CheckedImporter : public OpenMesh::IO::ImporterT<PolygonMesh> {
   std::string file_;
 };
 
-/// OpenMesh's messages to the terminal, off while this lives.
-class Silence {
- public:
-  Silence() { omerr().disable(); }
-  ~Silence() { omerr().enable(); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-};
-
 void add_vertices(const PolygonMesh& source, const OpenMesh::IO::Options& has,
                   MeshBuilder& builder) {
   for (const auto vertex : source.vertices()) {
@@ -270,7 +262,7 @@ bool looks_like_om(std::string_view bytes) {
 
 Mesh read_om(std::string_view bytes, const std::string& file) {
   const OmParts parts(bytes, file);
-  const Silence silence;
+  const OpenMeshSilence silence;
   std::istringstream stream(parts.kept());
   PolygonMesh source;
   CheckedImporter importer(source, parts.counts(), file);
