@@ -8,6 +8,7 @@
 #include "bench/support/memory_limit.h"
 #include "bench/support/program.h"
 #include "bench/support/random_number.h"
+#include "bench/triangles/edge_numbers.h"
 #include "bench/triangles/peer.h"
 
 #include <algorithm>
@@ -146,6 +147,8 @@ std::vector<MakeLadder> ladders() {
   std::vector<MakeLadder> all;
   for (const std::size_t index : {0U, 1U, 2U, 3U})
     all.emplace_back([index] { return fill_ladder_on(index); });
+  for (const Grid& grid : {Grid{0, 16, 16}, {16000, 16, 16}, {16000, 3, 512}})
+    all.emplace_back([grid] { return edge_number_ladder(grid); });
   for (const int area : {10, 100, 1000, 10000}) all.emplace_back([area] { return race(area); });
   return all;
 }

@@ -1,7 +1,8 @@
-// bench_03_zbuffer: the ladder of exercise 03.5.
+// bench_03_zbuffer: the ladder of exercise 03.5, and forms of depth.
 #include "common/zbuffer/visibility_faults.h"
 
 #include "bench/support/program.h"
+#include "bench/zbuffer/depth_formats.h"
 
 #include <numeric>
 
@@ -87,6 +88,8 @@ std::vector<MakeLadder> ladders() {
                                     {1e-7, "1e-7"}}) {
     all.emplace_back([delta = delta, name = std::string(name)] { return pairs(delta, name); });
   }
+  for (const double apart : {1e-2, 1e-4, 1e-6, 1e-7})
+    all.emplace_back([apart] { return depth_format_ladder(apart); });
   return all;
 }
 
