@@ -116,31 +116,36 @@ TimedLadder race(int area) {
     });
   }
   const std::function<void()> peer = opencv_triangles(*image, triangles, color);
-  const auto quick = [image, triangles] {
-    for (const Corners& corners : triangles) fill_spans(*image, corners, color);
-  };
   const auto judged = [&](const std::function<void()>& draw) -> Errors {
     image->clear({});
     draw();
     return {{"different pixels per million", difference(*image, triangles)}};
   };
-  return {
-      .name = "triangles of " + std::to_string(area) + " pixels",
-      .stage = "02",
-      .unit = "triangle",
-      .units = static_cast<double>(triangles.size()),
-      .error = "different pixels per million",
-      .rungs = {{.name = "one byte a cache line",
-                 .fault = "draws nothing: what the memory takes",
-                 .work = limit,
-                 .errors = {},
-                 .role = Role::limit},
-                {.name = "cv::fillConvexPoly",
-                 .fault = "draws its boundary too: up to a pixel too large",
-                 .work = peer,
-                 .errors = judged(peer),
-                 .role = Role::peer},
-                {.name = "fill_spans", .fault = "none", .work = quick, .errors = judged(quick)}}};
+  TimedLadder ladder{.name = "triangles of " + std::to_string(area) + " pixels",
+                     .stage = "02",
+                     .unit = "triangle",
+                     .units = static_cast<double>(triangles.size()),
+                     .error = "different pixels per million",
+                     .rungs = {{.name = "one byte a cache line",
+                                .fault = "draws nothing: what the memory takes",
+                                .work = limit,
+                                .errors = {},
+                                .role = Role::limit},
+                               {.name = "cv::fillConvexPoly",
+                                .fault = "draws its boundary too: up to a pixel too large",
+                                .work = peer,
+                                .errors = judged(peer),
+                                .role = Role::peer}}};
+  for (const SpanFill& way : span_fills()) {
+    const auto quick = [image, triangles, fill = way.fill] {
+      for (const Corners& corners : triangles) fill(*image, corners, color);
+    };
+    ladder.rungs.push_back({.name = std::string("fill_spans, ") + way.name,
+                            .fault = "none",
+                            .work = quick,
+                            .errors = judged(quick)});
+  }
+  return ladder;
 }
 
 std::vector<MakeLadder> ladders() {

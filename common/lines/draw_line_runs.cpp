@@ -5,26 +5,165 @@
 #include "common/lines/line_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace rasterlab {
 // <solution>
 namespace {
 
-/// What is to be drawn of a segment from left to right, or from top to bottom where it is steep:
-/// steps of its major axis. From pixel to pixel, step k leads ⌊k · minor / major + ½⌋ times across.
+/// Where a walk goes from pixel to pixel: a step along the longer side, or one that leads across as
+/// well whenever adding `slope` to `offset` carries over from 2^64. Steps are in bytes.
 struct Walk {
-  std::int64_t major = 0;
-  std::int64_t minor = 0;
-  StepRange visible;
-  Rgb8* first = nullptr;      ///< the pixel of the first visible step
-  std::ptrdiff_t along = 0;   ///< from a pixel to that of the next step
-  std::ptrdiff_t across = 0;  ///< added where the next is in another row, or column where steep
+  std::uint8_t* pixel = nullptr;
+  std::int64_t pixels = 0;
+  std::ptrdiff_t along = 0;
+  std::ptrdiff_t across = 0;
+  std::uint64_t offset = 0;
+  std::uint64_t slope = 0;
 };
 
+/// The next step: `across` where adding `slope` to `offset` carries over, else `along`. That is as
+/// good as random, and processors predict half of it wrong: there must be no branch, and compilers
+/// make one whatever they are asked.
+[[gnu::always_inline]] inline std::ptrdiff_t next_step(std::uint64_t& offset, std::uint64_t slope,
+                                                       std::ptrdiff_t along,
+                                                       std::ptrdiff_t across) {
+  std::ptrdiff_t step = along;
+#ifdef __x86_64__
+  asm("add %[slope], %[offset]\n\tcmovc %[across], %[step]"
+      : [offset] "+&r"(offset), [step] "+r"(step)
+      : [slope] "r"(slope), [across] "r"(across)
+      : "cc");
+#else
+  offset += slope;
+  if (offset < slope) step = across;
+#endif
+  return step;
+}
+
+[[gnu::always_inline]] inline void draw(const Walk& walk, const Rgb8& chosen) {
+  const Rgb8 color = chosen;  // which no pixel can be a part of
+  std::uint64_t offset = walk.offset;
+  std::uint8_t* pixel = walk.pixel;
+  const auto draw_and_step = [&] {
+    std::memcpy(pixel, &color, sizeof(Rgb8));
+    pixel += next_step(offset, walk.slope, walk.along, walk.across);
+  };
+  std::int64_t pixels = walk.pixels;
+  for (; pixels >= 2; pixels -= 2) {
+    draw_and_step();
+    draw_and_step();
+  }
+  if (pixels > 0) std::memcpy(pixel, &color, sizeof(Rgb8));
+}
+
 constexpr std::uint64_t half = std::uint64_t{1} << 63;
+
+/// Longer sides up to this have slopes in 2^-32, rounded up, and a quick division.
+constexpr std::int64_t longest_quick = 1 << 15;
+
+/// 2^32 / i, rounded up: short segments need no division.
+constexpr auto reciprocals = [] {
+  std::array<std::uint64_t, 64> quotients{};
+  for (std::uint64_t i = 1; i < quotients.size(); ++i)
+    quotients[i] = ((std::uint64_t{1} << 32) + i - 1) / i;
+  return quotients;
+}();
+
+/// minor / major in 2^-32, rounded up by at most 2^-32, or by less than `minor` times that where
+/// `major` is below 64.
+std::uint64_t rounded_up(std::int64_t minor, std::int64_t major) {
+  const auto above = static_cast<std::uint64_t>(minor);
+  const auto below = static_cast<std::uint64_t>(major);
+  if (below < reciprocals.size()) return above * reciprocals[below];
+  return (above << 32) / below + 1;
+}
+
+/// Image::contains() with one branch.
+bool is_inside(const Image<Rgb8>& image, const Point& p) {
+  const bool column = static_cast<unsigned>(p.x()) < static_cast<unsigned>(image.width());
+  const bool row = static_cast<unsigned>(p.y()) < static_cast<unsigned>(image.height());
+  return column & row;
+}
+
+/// A segment with both ends in the image and dx, dy shorter than `longest_quick`. No branch depends
+/// on its direction.
+///
+/// The place across is the whole part of k · minor / major + ½, which is either whole or 2^-16 at
+/// least from being so. Rounded up, the slope adds less than 2^-17 to it along the way: too little
+/// to matter. Of two pixels equally near the one farther from the left end is drawn, or from the
+/// upper end where steep; when the walk starts from the other end, that is the one nearer to its
+/// start, and ½ is taken 2^-17 smaller.
+Walk walk_inside(Image<Rgb8>& image, const Point& p0, std::int64_t dx, std::int64_t dy) {
+  const std::int64_t left = dx >> 63;  // all bits or none
+  const std::int64_t up = dy >> 63;
+  const std::int64_t width = (dx ^ left) - left;
+  const std::int64_t height = (dy ^ up) - up;
+  const std::int64_t steep = (width - height) >> 63;
+  const std::ptrdiff_t pixel = sizeof(Rgb8);
+  const std::ptrdiff_t row = image.width() * pixel;
+  const std::ptrdiff_t step_x = (pixel ^ left) - left;
+  const std::ptrdiff_t step_y = (row ^ up) - up;
+  const std::ptrdiff_t exchange_steps = (step_x ^ step_y) & steep;
+  const std::int64_t exchange_sides = (width ^ height) & steep;
+  const std::int64_t major = width ^ exchange_sides;
+  const std::int64_t minor = height ^ exchange_sides;
+  const std::int64_t diagonal = ((minor - major) >> 63) ^ -1;
+  const std::int64_t backward = ((left ^ up) & steep) ^ left;
+  Walk walk;
+  walk.pixel = reinterpret_cast<std::uint8_t*>(image.row(p0.y()) + p0.x());
+  walk.pixels = major + 1;
+  const std::ptrdiff_t along = step_x ^ exchange_steps;
+  walk.across = along + (step_y ^ exchange_steps);
+  walk.along = along ^ ((along ^ walk.across) & diagonal);
+  walk.slope = rounded_up(minor, major) << 32;
+  walk.offset = half - (static_cast<std::uint64_t>(backward) & (half >> 16));
+  return walk;
+}
+
+/// Whether rows are so long that they are better written as a whole.
+bool has_long_runs(std::int64_t dx, std::int64_t dy) {
+  constexpr std::int64_t shortest_run = 6;
+  constexpr std::int64_t shortest_segment = 32;
+  return std::abs(dx) >= std::max(shortest_run * std::abs(dy), shortest_segment);
+}
+
+/// What is to be seen of a segment: steps of its longer side, from the left or, where it is steep,
+/// from the top. In step k it is ⌊k · minor / major + ½⌋ pixels across.
+struct VisibleSteps {
+  std::int64_t major = 0;
+  std::int64_t minor = 0;
+  StepRange range;
+  Rgb8* first = nullptr;
+  std::ptrdiff_t along = 0;   ///< in pixels
+  std::ptrdiff_t across = 0;  ///< in pixels
+
+  bool has_long_runs() const { return along == 1 && rasterlab::has_long_runs(major, minor); }
+  std::int64_t count() const { return range.empty() ? 0 : range.last - range.first + 1; }
+};
+
+VisibleSteps visible_steps(Image<Rgb8>& image, const Point& p0, const Point& p1) {
+  const std::int64_t dx = std::int64_t{p1.x()} - p0.x();
+  const std::int64_t dy = std::int64_t{p1.y()} - p0.y();
+  const bool steep = std::abs(dy) > std::abs(dx);
+  const bool backward = (steep ? dy : dx) < 0;
+  const LineSteps steps(backward ? p1 : p0, backward ? p0 : p1);
+  VisibleSteps visible;
+  visible.range = steps.inside(image.width(), image.height());
+  if (visible.range.empty()) return visible;
+  visible.major = std::max(std::abs(dx), std::abs(dy));
+  visible.minor = std::min(std::abs(dx), std::abs(dy));
+  visible.along = steep ? image.width() : 1;
+  visible.across = steep ? 1 : image.width();
+  if ((dx < 0) != (dy < 0)) visible.across = -visible.across;
+  const Point start = steps.at(visible.range.first);
+  visible.first = image.row(start.y()) + start.x();
+  return visible;
+}
 
 /// The fraction of above / below in 2^-64, rounded down by less than `rounding`; below < 2^32.
 ///
@@ -40,57 +179,64 @@ struct Fraction {
     const std::uint64_t scaled = static_cast<std::uint64_t>(above) % divisor << 32;
     value = scaled / divisor << 32;
     rounding = std::uint64_t{1} << 32;
-    if (major > 1 << 15) {
+    if (major > longest_quick) {
       value += (scaled % divisor << 32) / divisor;
       rounding = 1;
     }
   }
 };
 
-/// Whether a step leads across cannot be predicted: so there is no branch but the loop's.
-void draw_pixel_by_pixel(const Walk& walk, Rgb8 color) {
-  const Fraction slope(walk.minor, std::max<std::int64_t>(walk.major, 1), walk.major);
-  const bool diagonal = walk.minor == walk.major && walk.minor > 0;
-  const std::ptrdiff_t along = walk.along + (diagonal ? walk.across : 0);
-  const std::uint64_t step = slope.value + slope.rounding;
-  std::uint64_t offset = half + static_cast<std::uint64_t>(walk.visible.first) * step;
-  const auto next = [&](Rgb8* pixel) {
-    offset += step;
-    return pixel + along + (walk.across & -static_cast<std::ptrdiff_t>(offset < step));
-  };
-  Rgb8* pixel = walk.first;
-  std::int64_t pixels = walk.visible.last - walk.visible.first + 1;
-  for (; pixels >= 2; pixels -= 2) {
-    Rgb8* const second = next(pixel);
-    *pixel = color;
-    *second = color;
-    pixel = next(second);
-  }
-  if (pixels > 0) *pixel = color;
+void draw_pixel_by_pixel(const VisibleSteps& steps, const Rgb8& color) {
+  const Fraction slope(steps.minor, std::max<std::int64_t>(steps.major, 1), steps.major);
+  const bool diagonal = steps.minor == steps.major && steps.minor > 0;
+  const std::ptrdiff_t pixel = sizeof(Rgb8);
+  Walk walk;
+  walk.pixel = reinterpret_cast<std::uint8_t*>(steps.first);
+  walk.pixels = steps.count();
+  walk.across = (steps.along + steps.across) * pixel;
+  walk.along = diagonal ? walk.across : steps.along * pixel;
+  walk.slope = slope.value + slope.rounding;
+  walk.offset = half + static_cast<std::uint64_t>(steps.range.first) * walk.slope;
+  draw(walk, color);
 }
 
-/// For segments that stay in a row for some pixels: row r, 0 ≤ r ≤ minor, ends before step ⌈(r + ½)
-/// · major / minor⌉. minor > 0.
-void draw_run_by_run(const Walk& walk, Rgb8 color) {
+/// Row r, 0 ≤ r ≤ minor, ends before step ⌈(r + ½) · major / minor⌉. For what is not steep, and
+/// minor > 0.
+void draw_run_by_run(const VisibleSteps& steps, const Rgb8& color) {
   const ColorRun run(color);
-  const auto [first, last] = walk.visible;
-  const std::int64_t row = (2 * first * walk.minor + walk.major) / (2 * walk.major);
-  const std::int64_t row_end = (2 * row + 1) * walk.major;  // times 2 · minor
-  const std::int64_t length = walk.major / walk.minor;
-  const Fraction rest_of_length(walk.major, walk.minor, walk.major);
-  const Fraction rest_of_end(row_end, 2 * walk.minor, walk.major);
+  const auto [first, last] = steps.range;
+  const std::int64_t row = (2 * first * steps.minor + steps.major) / (2 * steps.major);
+  const std::int64_t row_end = (2 * row + 1) * steps.major;  // times 2 · minor
+  const std::int64_t length = steps.major / steps.minor;
+  const Fraction rest_of_length(steps.major, steps.minor, steps.major);
+  const Fraction rest_of_end(row_end, 2 * steps.minor, steps.major);
   // From just before the row's end on: what is rounded down again and again is never on it.
   std::uint64_t rest = rest_of_end.value - rest_of_end.rounding;
-  std::int64_t end = row_end / (2 * walk.minor) - (rest > rest_of_end.value ? 1 : 0);
-  Rgb8* pixel = walk.first;
+  std::int64_t end = row_end / (2 * steps.minor) - (rest > rest_of_end.value ? 1 : 0);
+  Rgb8* pixel = steps.first;
   for (std::int64_t k = first; k <= last;) {
     const std::int64_t pixels = std::min(end, last) - k + 1;
     run.fill(pixel, pixels);
     k += pixels;
-    pixel += pixels + walk.across;
+    pixel += pixels + steps.across;
     rest += rest_of_length.value;
     end += length + (rest < rest_of_length.value ? 1 : 0);
   }
+}
+
+/// Apart from what is quick, which then needs no stack.
+[[gnu::noinline]] std::int64_t draw_what_is_inside(Image<Rgb8>& image, const Point& p0,
+                                                   const Point& p1, const Rgb8& color) {
+  const VisibleSteps steps = visible_steps(image, p0, p1);
+  if (steps.range.empty()) return 0;
+  if (!steps.has_long_runs()) {
+    draw_pixel_by_pixel(steps, color);
+  } else if (steps.minor > 0) {
+    draw_run_by_run(steps, color);
+  } else {
+    ColorRun(color).fill(steps.first, steps.count());
+  }
+  return steps.count();
 }
 
 }  // namespace
@@ -101,36 +247,13 @@ std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1
   // <solution>
   const std::int64_t dx = std::int64_t{p1.x()} - p0.x();
   const std::int64_t dy = std::int64_t{p1.y()} - p0.y();
-  const bool steep = std::abs(dy) > std::abs(dx);
-  const bool backward = (steep ? dy : dx) < 0;
-  const Point& from = backward ? p1 : p0;
-  const Point& to = backward ? p0 : p1;
-  const std::ptrdiff_t row = image.width();
-  Walk walk;
-  walk.major = std::max(std::abs(dx), std::abs(dy));
-  walk.minor = std::min(std::abs(dx), std::abs(dy));
-  walk.along = steep ? row : 1;
-  walk.across = steep ? 1 : row;
-  if ((dx < 0) != (dy < 0)) walk.across = -walk.across;
-  walk.visible = {0, walk.major};
-  Point start = from;
-  if (!image.contains(p0.x(), p0.y()) || !image.contains(p1.x(), p1.y())) {
-    const LineSteps steps(from, to);
-    walk.visible = steps.inside(image.width(), image.height());
-    if (walk.visible.empty()) return 0;
-    start = steps.at(walk.visible.first);
-  }
-  walk.first = image.row(start.y()) + start.x();
-  // Shorter ones are not worth the set-up.
-  constexpr std::int64_t shortest_run = 3;
-  constexpr std::int64_t shortest_walk = 32;
-  if (!steep && walk.minor > 0 &&
-      walk.major >= std::max(shortest_run * walk.minor, shortest_walk)) {
-    draw_run_by_run(walk, color);
-  } else {
-    draw_pixel_by_pixel(walk, color);
-  }
-  return walk.visible.last - walk.visible.first + 1;
+  const bool quick = is_inside(image, p0) && is_inside(image, p1) &&
+                     std::max(image.width(), image.height()) <= longest_quick &&
+                     !has_long_runs(dx, dy);
+  if (!quick) return draw_what_is_inside(image, p0, p1, color);
+  const Walk walk = walk_inside(image, p0, dx, dy);
+  draw(walk, color);
+  return walk.pixels;
   // <starter> std::int64_t drawn = 0;
   // <starter> for (const Point& pixel : line_bresenham(p0, p1)) {
   // <starter>   if (!image.contains(pixel.x(), pixel.y())) continue;

@@ -1,11 +1,13 @@
 #include "common/triangles/fill_spans.h"
 
 #include "common/lines/color_run.h"
+#include "common/triangles/fill_spans_avx512.h"
 #include "common/triangles/spans.h"
 
 namespace rasterlab {
+namespace {
 
-std::int64_t fill_spans(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
+std::int64_t fill_plainly(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
   const ColorRun span(color);
   Rgb8* const first = image.row(0);
   const std::ptrdiff_t width = image.width();
@@ -16,6 +18,27 @@ std::int64_t fill_spans(Image<Rgb8>& image, const Corners& corners, const Rgb8& 
                        pixels += end - begin;
                      });
   return pixels;
+}
+
+std::int64_t fill_with_avx512(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
+  if (!within(corners, max_coordinate)) return fill_plainly(image, corners, color);
+  return fill_spans_avx512(image, corners, color);
+}
+
+}  // namespace
+
+const std::vector<SpanFill>& span_fills() {
+  static const std::vector<SpanFill> fills = [] {
+    std::vector<SpanFill> possible = {{"plain", &fill_plainly}};
+    if (has_avx512()) possible.push_back({"avx512", &fill_with_avx512});
+    return possible;
+  }();
+  return fills;
+}
+
+std::int64_t fill_spans(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
+  static const auto fill = span_fills().back().fill;
+  return fill(image, corners, color);
 }
 
 }  // namespace rasterlab

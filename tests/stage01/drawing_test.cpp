@@ -287,8 +287,28 @@ TEST(stage01_draw_line_runs, are_exact_for_ends_of_every_magnitude) {
   }
 }
 
+TEST(stage01_draw_line_runs, are_exact_between_any_two_pixels) {
+  std::mt19937 random(7);
+  const auto pixel = [&random] {
+    return Point(static_cast<int>(random() % 640U), static_cast<int>(random() % 480U));
+  };
+  for (int i = 0; i < 500; ++i) {
+    const Point p0 = pixel();
+    // Two of three have a simple slope, where many pixels are equally near.
+    const int way = static_cast<int>(random() % 201U) - 100;
+    const Point p1 = i % 3 == 0   ? pixel()
+                     : i % 3 == 1 ? p0 + Point(2 * way, way)
+                                  : p0 + Point(way, -2 * way);
+    Image<Rgb8> image(640, 480);
+    draw_line_runs(image, p0, p1, white);
+    ASSERT_EQ(image, exactly_drawn(p0, p1, 640, 480))
+        << "(" << p0.transpose() << ") to (" << p1.transpose() << ")";
+  }
+}
+
 TEST(stage01_draw_line_runs, are_exact_along_their_whole_length) {
-  for (const auto& [width, height] : {std::pair{32768, 5}, {32769, 5}, {100000, 7}, {3, 40000}}) {
+  for (const auto& [width, height] :
+       {std::pair{32768, 5}, {32769, 5}, {100000, 7}, {3, 32768}, {3, 40000}}) {
     for (int from = 0; from < (width < height ? width : height); ++from) {
       for (int to = 0; to < (width < height ? width : height); ++to) {
         const bool flat = width > height;

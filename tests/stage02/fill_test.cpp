@@ -272,11 +272,14 @@ TEST(stage02_fill_edge_functions, spans_draw_the_same) {
   for (int i = 0; i < 4000; ++i) {
     const Corners corners = random_corners(random, i % 4 == 0 ? -30000 : -8,
                                            i % 4 == 0 ? 30000 : 40, i % 2 == 0 ? 256 : 2);
-    Image<Rgb8> image(31, 23);
-    const std::int64_t count = fill_spans(image, corners, white);
-    ASSERT_TRUE(same_picture(picture_text(image), filled(&fill_edge_functions, corners, 31, 23)));
-    ASSERT_EQ(count, std::count(image.pixels().begin(), image.pixels().end(), white))
-        << "says how many pixels it drew";
+    const PictureText expected = filled(&fill_edge_functions, corners, 31, 23);
+    for (const SpanFill& way : span_fills()) {
+      Image<Rgb8> image(31, 23);
+      const std::int64_t count = way.fill(image, corners, white);
+      ASSERT_TRUE(same_picture(picture_text(image), expected)) << way.name;
+      ASSERT_EQ(count, std::count(image.pixels().begin(), image.pixels().end(), white))
+          << way.name << " says how many pixels it drew";
+    }
   }
 }
 
@@ -292,23 +295,41 @@ TEST(stage02_fill_spans, are_exact_out_to_their_bounds) {
         Corners corners = random_corners(random, -reach, reach, units);
         if (i % 3 == 0) corners[2] = corners[1] + random_corner(random, -2, 2, 256);  // a sliver
         if (!within(corners, max_wide_coordinate)) continue;
-        Image<Rgb8> image(width, height);
-        covered += fill_spans(image, corners, white);
-        ASSERT_TRUE(same_picture(picture_text(image), exact(corners, width, height)))
-            << "corners " << corners[0].transpose() << " | " << corners[1].transpose() << " | "
-            << corners[2].transpose();
+        const PictureText expected = exact(corners, width, height);
+        for (const SpanFill& way : span_fills()) {
+          Image<Rgb8> image(width, height);
+          covered += way.fill(image, corners, white);
+          ASSERT_TRUE(same_picture(picture_text(image), expected))
+              << way.name << ", corners " << corners[0].transpose() << " | "
+              << corners[1].transpose() << " | " << corners[2].transpose();
+        }
       }
     }
   }
   EXPECT_GT(covered, 1000000) << "too few triangles reach into the picture";
 }
 
+// Of two colours, so that a byte too many would show, and with rows of every length.
+TEST(stage02_fill_spans, keep_what_is_beside_them) {
+  for (const SpanFill& way : span_fills()) {
+    for (int length = 0; length <= 70; ++length) {
+      Image<Rgb8> image(80, 4, Rgb8{7, 8, 9});
+      const Corners corners = {{{5, 1}, {5.0 + length, 1}, {5.0 + length, 2.75}}};
+      way.fill(image, corners, Rgb8{10, 20, 30});
+      Image<Rgb8> expected(80, 4, Rgb8{7, 8, 9});
+      fill_edge_functions(expected, corners, Rgb8{10, 20, 30});
+      ASSERT_EQ(image, expected) << way.name << ", " << length << " pixels wide";
+    }
+  }
+}
+
 TEST(stage02_fill_spans, refuse_corners_too_far) {
-  Image<Rgb8> image(4, 4);
-  EXPECT_THROW(fill_spans(image, {{{0, 0}, {0x1p30 + 1, 0}, {0, 4}}}, white), CheckError);
-  EXPECT_THROW(
-      fill_spans(image, {{{0, 0}, {4, std::numeric_limits<double>::quiet_NaN()}, {0, 4}}}, white),
-      CheckError);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const SpanFill& way : span_fills()) {
+    Image<Rgb8> image(4, 4);
+    EXPECT_THROW(way.fill(image, {{{0, 0}, {0x1p30 + 1, 0}, {0, 4}}}, white), CheckError);
+    EXPECT_THROW(way.fill(image, {{{0, 0}, {4, nan}, {0, 4}}}, white), CheckError);
+  }
 }
 
 TEST(stage02_fill_ladder, every_rung_but_the_half_fills_the_inside) {

@@ -1,0 +1,18 @@
+// fill_spans() for processors with AVX-512.
+#pragma once
+
+#include "common/image/image.h"
+#include "common/image/pixel.h"
+#include "common/triangles/fixed_point.h"
+
+#include <cstdint>
+
+namespace rasterlab {
+
+/// Whether this processor has what fill_spans_avx512() needs.
+bool has_avx512();
+
+/// What fill_spans() does, for corners within ±32768 pixels. Only where has_avx512().
+std::int64_t fill_spans_avx512(Image<Rgb8>& image, const Corners& corners, const Rgb8& color);
+
+}  // namespace rasterlab
