@@ -63,7 +63,7 @@ struct Walk {
 
 constexpr std::uint64_t half = std::uint64_t{1} << 63;
 
-/// Longer sides up to this have slopes in 2^-32, rounded up, and a quick division.
+/// Segments of up to so many pixels have slopes in 2^-32, and a quick division.
 constexpr std::int64_t longest_quick = 1 << 15;
 
 /// 2^32 / i, rounded up: short segments need no division.
@@ -90,8 +90,8 @@ bool is_inside(const Image<Rgb8>& image, const Point& p) {
   return column & row;
 }
 
-/// A segment with both ends in the image and dx, dy shorter than `longest_quick`. No branch depends
-/// on its direction.
+/// A segment with both ends in the image, of at most `longest_quick` pixels. No branch depends on
+/// its direction.
 ///
 /// The place across is the whole part of k · minor / major + ½, which is either whole or 2^-16 at
 /// least from being so. Rounded up, the slope adds less than 2^-17 to it along the way: too little
@@ -126,10 +126,10 @@ Walk walk_inside(Image<Rgb8>& image, const Point& p0, std::int64_t dx, std::int6
 }
 
 /// Whether rows are so long that they are better written as a whole.
-bool has_long_runs(std::int64_t dx, std::int64_t dy) {
+bool has_long_runs(std::int64_t dx, std::int64_t dy, std::int64_t pixels) {
   constexpr std::int64_t shortest_run = 6;
   constexpr std::int64_t shortest_segment = 32;
-  return std::abs(dx) >= std::max(shortest_run * std::abs(dy), shortest_segment);
+  return pixels > shortest_segment && std::abs(dx) >= shortest_run * std::abs(dy);
 }
 
 /// What is to be seen of a segment: steps of its longer side, from the left or, where it is steep,
@@ -142,7 +142,9 @@ struct VisibleSteps {
   std::ptrdiff_t along = 0;   ///< in pixels
   std::ptrdiff_t across = 0;  ///< in pixels
 
-  bool has_long_runs() const { return along == 1 && rasterlab::has_long_runs(major, minor); }
+  bool has_long_runs() const {
+    return along == 1 && rasterlab::has_long_runs(major, minor, major + 1);
+  }
   std::int64_t count() const { return range.empty() ? 0 : range.last - range.first + 1; }
 };
 
@@ -247,11 +249,11 @@ std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1
   // <solution>
   const std::int64_t dx = std::int64_t{p1.x()} - p0.x();
   const std::int64_t dy = std::int64_t{p1.y()} - p0.y();
-  const bool quick = is_inside(image, p0) && is_inside(image, p1) &&
-                     std::max(image.width(), image.height()) <= longest_quick &&
-                     !has_long_runs(dx, dy);
-  if (!quick) return draw_what_is_inside(image, p0, p1, color);
+  if (!is_inside(image, p0) || !is_inside(image, p1))
+    return draw_what_is_inside(image, p0, p1, color);
   const Walk walk = walk_inside(image, p0, dx, dy);
+  if (walk.pixels > longest_quick || has_long_runs(dx, dy, walk.pixels))
+    return draw_what_is_inside(image, p0, p1, color);
   draw(walk, color);
   return walk.pixels;
   // <starter> std::int64_t drawn = 0;
