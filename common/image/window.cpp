@@ -32,6 +32,30 @@ struct Window::State {
   WindowEvents events;
   int mouse_x = 0;
   int mouse_y = 0;
+  cv::Rect place;
+  bool reopened = false;
+
+  void open() {
+    cv::namedWindow(title, cv::WINDOW_AUTOSIZE | cv::WINDOW_GUI_NORMAL);
+    cv::setMouseCallback(title, on_mouse, this);
+  }
+
+  /// The wheel also enlarges the picture's pixels in OpenCV's Qt windows, which no flag switches
+  /// off (https://github.com/opencv/opencv/issues/11500); a new window shows them one to one.
+  void reopen() {
+    place = cv::getWindowImageRect(title);
+    cv::destroyWindow(title);
+    open();
+    cv::moveWindow(title, place.x, place.y);
+    reopened = true;
+  }
+
+  /// Once the new window is seen: it stands off by the width of its frame.
+  void put_back() {
+    const cv::Rect seen = cv::getWindowImageRect(title);
+    cv::moveWindow(title, 2 * place.x - seen.x, 2 * place.y - seen.y);
+    reopened = false;
+  }
 
   static void on_mouse(int event, int x, int y, int flags, void* self) {
     static_cast<State*>(self)->note_mouse(event, x, y, flags);
@@ -54,8 +78,7 @@ Window::Window(const std::string& title) : state_(std::make_unique<State>()) {
   }
   state_->title = title;
   try {
-    cv::namedWindow(title, cv::WINDOW_AUTOSIZE | cv::WINDOW_GUI_NORMAL);
-    cv::setMouseCallback(title, State::on_mouse, state_.get());
+    state_->open();
   } catch (const cv::Exception& error) {
     throw InputError("no window can be opened: " + error.err);
   }
@@ -83,6 +106,9 @@ WindowEvents Window::poll(int milliseconds) {
   state_->events.key = cv::waitKey(std::max(milliseconds, 1));
   state_->events.closed = state_->events.key == escape ||
                           cv::getWindowProperty(state_->title, cv::WND_PROP_VISIBLE) < 1;
+  if (state_->events.closed) return state_->events;
+  if (state_->reopened) state_->put_back();
+  if (state_->events.wheel != 0) state_->reopen();
   return state_->events;
 }
 

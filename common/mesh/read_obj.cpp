@@ -20,6 +20,10 @@ struct GreatestIndex {
   std::size_t line = 0;
 };
 
+Eigen::Vector3f no_color() {
+  return Eigen::Vector3f::Constant(NAN);
+}
+
 class ObjText {
  public:
   ObjText(std::string_view text, const std::string& file)
@@ -42,7 +46,7 @@ class ObjText {
     check(uv_, builder_.uvs.size());
     check(normal_, builder_.normals.size());
     if (!builder_.colors.empty()) {
-      builder_.colors.resize(builder_.positions.size(), no_color);
+      builder_.colors.resize(builder_.positions.size(), no_color());
       builder_.give_each_position(&Corner::color);
       scale_colors(builder_.colors);
     }
@@ -64,7 +68,7 @@ class ObjText {
     std::size_t count = 0;
     while (count < more.size() && !lines_.rest().empty()) more[count++] = *lines_.take_float();
     if (count >= 3) {
-      builder_.colors.resize(builder_.positions.size(), no_color);
+      builder_.colors.resize(builder_.positions.size(), no_color());
       builder_.colors.back() = {more[0], more[1], more[2]};
     }
   }
@@ -130,7 +134,6 @@ class ObjText {
   }
 
   static constexpr long long most_elements = 0xFFFFFFF0;
-  const Eigen::Vector3f no_color = Eigen::Vector3f::Constant(NAN);
 
   const std::string& file_;
   TextLines lines_;

@@ -69,9 +69,8 @@ std::optional<Layout> recognized_layout(const Header& header, std::size_t column
   const std::size_t more = columns - layout.columns();
   switch (more) {
     case 0:
+    case 1:  // an index into a table of colours that the file does not have
       break;
-    case 1:
-      break;  // an index into a table of colours that the file does not have
     case 2:
       layout.uv = 2;
       break;

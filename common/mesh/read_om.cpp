@@ -73,7 +73,8 @@ class OmParts {
         return false;
       }
       case Chunk::Type_Status:
-        return pass(chunk, 4, true) && false;
+        pass(chunk, 4, true);
+        return false;
       case Chunk::Type_Pos:
       case Chunk::Type_Normal:
         return pass(chunk, 3 * (4U << chunk.bits_),

@@ -6,6 +6,8 @@
 #include "common/mesh/text_lines.h"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -300,8 +302,15 @@ class PlyBody {
       std::vector<double>& list = lists_[static_cast<std::size_t>(property.role)];
       list.clear();
       const double count = numbers_.take(*property.count_type);
-      for (double i = 0; i < count; ++i) list.push_back(numbers_.take(property.type));
+      for (auto left = as_count(count); left > 0; --left)
+        list.push_back(numbers_.take(property.type));
     }
+  }
+
+  /// Of what any type can say; what is negative or no number is an empty list.
+  static std::uint64_t as_count(double number) {
+    constexpr double most = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint64_t>(std::fmin(std::fmax(number, 0.0), most));
   }
 
   static double scaled(const Property& property, double number) {

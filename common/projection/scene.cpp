@@ -95,7 +95,7 @@ std::filesystem::path find_mesh(const std::filesystem::path& scene, const SceneR
   const std::string& name = reader.word(0);
   std::error_code none;  // a name too long for the file system is no file either
   if (name.starts_with("builtin:") || std::filesystem::exists(name, none)) return name;
-  const std::filesystem::path beside = scene.parent_path() / name;
+  std::filesystem::path beside = scene.parent_path() / name;
   if (std::filesystem::exists(beside, none)) return beside;
   reader.fail();
 }

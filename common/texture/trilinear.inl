@@ -11,7 +11,7 @@ Vector3<Number> trilinear_at(const Texture& texture, Wrap wrap, const Vector2<Nu
   // <solution>
   const Number finer = round_down(level);
   const Number part = level - finer;
-  const Vector3<Number> fine = bilinear_in_level(texture, wrap, uv, finer);
+  Vector3<Number> fine = bilinear_in_level(texture, wrap, uv, finer);
   if (!any(part > Number(0))) return fine;
   const Number coarser =
       minimum(finer + Number(1), Number(static_cast<float>(texture.level_count() - 1)));

@@ -101,7 +101,8 @@ TriangleSample shaken_grid() {
   for (int y = 0; y < cells; ++y) {
     for (int x = 0; x < cells; ++x) {
       const auto vertex = [&](int right, int down) {
-        return vertices[static_cast<std::size_t>((y + down) * (cells + 1) + x + right)];
+        const int index = (y + down) * (cells + 1) + x + right;
+        return vertices[static_cast<std::size_t>(index)];
       };
       sample.triangles.push_back({vertex(0, 0), vertex(0, 1), vertex(1, 1)});
       sample.triangles.push_back({vertex(1, 1), vertex(1, 0), vertex(0, 0)});
