@@ -166,7 +166,7 @@ void draw_four_phong_shaders(Run& run) {
 
 void draw_turning_light(Run& run) {
   const Planet planet(24);
-  const Size alone = {240, 240};
+  const Size alone = run.size({240, 240});
   for (const auto& [name, image] : draw_all_shaders(planet.inputs(alone), alone)) {
     run.picture("07.7_" + name, image);
   }

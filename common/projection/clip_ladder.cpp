@@ -26,7 +26,8 @@ const std::array<ClipRung, 3> clip_ladder = {{
      "neighbours cut a shared edge from opposite ends and may disagree in the last bit; what "
      "reaches "
      "far beyond the picture is lost"},
-    {"homogeneous", &clip_homogeneous, "none"},
+    {"homogeneous", &clip_homogeneous,
+     "none but where the eye is in the triangle's plane, as nearly as a float can say"},
 }};
 
 }  // namespace rasterlab

@@ -3,9 +3,11 @@
 
 #include "tests/house/repository.h"
 #include "tests/support/expect_image.h"
+#include "tests/support/pattern.h"
 #include "tests/support/process.h"
 #include "tests/support/scratch.h"
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -45,6 +47,28 @@ TEST_P(house_references, each_has_a_recipe_and_each_recipe_a_reference) {
     if (entry.path().filename() != "recipes.json") there.insert(entry.path().filename());
   }
   EXPECT_EQ(there, described);
+}
+
+/// Whether a name is that of one of the references; "05.6_light_*.png" is where one of many is.
+bool is_among(const std::string& name, const std::set<std::string>& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [&](const std::string& file) { return matches(name, file); });
+}
+
+TEST_P(house_references, every_picture_an_exercise_writes_has_one_or_a_reason_why_not) {
+  const nlohmann::json all = nlohmann::json::parse(read_file(folder_ / "recipes.json"));
+  std::set<std::string> there;
+  for (const nlohmann::json& recipe : all.at("pictures")) there.insert(recipe.at("file"));
+  const nlohmann::json reasons = all.value("without_reference", nlohmann::json::object());
+  for (const nlohmann::json& exercise : exercises(GetParam())) {
+    for (const std::string name : exercise.at("writes")) {
+      if (fs::path(name).extension() == ".txt") continue;
+      EXPECT_NE(is_among(name, there), reasons.contains(name)) << name;
+    }
+  }
+  for (const auto& [name, reason] : reasons.items()) {
+    EXPECT_FALSE(reason.get<std::string>().empty()) << name;
+  }
 }
 
 /// The words of a recipe's command, its executable's path in place of its name and `out` of OUT.

@@ -23,6 +23,11 @@ TEST(stage04_transforms_2d, scale_multiplies_each_coordinate_by_its_own_factor) 
   EXPECT_TRUE(is_at(scale_2d(-1, 1) * point_2d(5, 7), -5, 7)) << "a mirror is a scale, too";
 }
 
+TEST(stage04_transforms_2d, a_factor_of_0_presses_the_plane_onto_a_line) {
+  EXPECT_TRUE(is_at(scale_2d(0, 1) * point_2d(5, 7), 0, 7));
+  EXPECT_TRUE(is_at(scale_2d(0, 0) * point_2d(5, 7), 0, 0));
+}
+
 TEST(stage04_transforms_2d, shear_adds_the_other_coordinate) {
   EXPECT_TRUE(is_at(shear_2d(0.5F, 0) * point_2d(1, 4), 3, 4)) << "x grows with y";
   EXPECT_TRUE(is_at(shear_2d(0, 0.5F) * point_2d(4, 1), 4, 3)) << "y grows with x";
@@ -32,6 +37,7 @@ TEST(stage04_transforms_2d, rotation_is_counter_clockwise) {
   EXPECT_TRUE(is_at(rotate_2d(quarter) * point_2d(1, 0), 0, 1))
       << "a quarter turn takes x to y when y is up";
   EXPECT_TRUE(is_at(rotate_2d(quarter) * point_2d(0, 1), -1, 0));
+  EXPECT_TRUE(is_at(rotate_2d(-7 * quarter) * point_2d(1, 0), 0, 1)) << "beyond a whole turn";
 }
 
 TEST(stage04_transforms_2d, translation_moves_points_but_not_directions) {

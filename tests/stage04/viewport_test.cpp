@@ -39,6 +39,12 @@ TEST(stage04_viewport, a_rectangle_within_the_window) {
   EXPECT_EQ(moved(matrix, 1, -1, 0), Eigen::Vector3f(700, 175, 0));
 }
 
+TEST(stage04_viewport, a_rectangle_without_width_is_a_line) {
+  const Eigen::Matrix4f matrix = viewport(5, 0, 0, 10);
+  EXPECT_EQ(moved(matrix, -1, 1, 0), Eigen::Vector3f(5, 0, 0));
+  EXPECT_EQ(moved(matrix, 1, -1, 0), Eigen::Vector3f(5, 10, 0));
+}
+
 TEST(stage04_viewport, depth_stays_as_it_is) {
   for (const float z : {-1.0F, 0.25F, 1.0F}) {
     EXPECT_EQ(moved(viewport(3, 4, 50, 60), 0.5F, 0.5F, z).z(), z);

@@ -314,6 +314,18 @@ TEST(stage05_turned_light, goes_counter_clockwise_seen_from_the_axis_end) {
   EXPECT_EQ(turned.ambient_intensity, 0.25F);
 }
 
+TEST(stage05_turned_light, without_an_axis_or_on_it_the_light_stays) {
+  const Light light{.position = {1, 2, 3, 1}};
+  EXPECT_EQ(turned_light(light, {5, 5, 5}, {0, 0, 0}, 77).position, light.position);
+  EXPECT_LT((turned_light(light, {1, -9, 3}, {0, 1, 0}, 77).position - light.position).norm(),
+            1e-5F);
+  EXPECT_LT((turned_light(light, {0, 0, 0}, {0, 1, 0}, -90).position -
+             turned_light(light, {0, 0, 0}, {0, 1, 0}, 630).position)
+                .norm(),
+            1e-5F)
+      << "−90° is 630°";
+}
+
 int lit_pixels(const Image<Rgb8>& image) {
   return static_cast<int>(std::count_if(image.pixels().begin(), image.pixels().end(),
                                         [](const Rgb8& pixel) { return pixel.r > 8; }));
@@ -344,6 +356,13 @@ TEST(stage05_draw_power, the_sum_is_the_highlight_over_the_rest) {
     const int expected = std::min(255, pictures.highlight.pixels()[i].g + rest.color.pixels()[i].g);
     ASSERT_NEAR(pictures.sum.pixels()[i].g, expected, 1);
   }
+}
+
+TEST(stage05_draw_power, nothing_gives_black_pictures) {
+  const Mesh nothing;
+  const PowerPictures pictures = draw_power(sphere_lit(nothing), 5, 8, 8);
+  EXPECT_EQ(pictures.highlight, Image<Rgb8>(8, 8));
+  EXPECT_EQ(pictures.sum, Image<Rgb8>(8, 8));
 }
 
 TEST(stage05_draw_power, power_0_leaves_the_dark_side_dark) {
