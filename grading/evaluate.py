@@ -15,7 +15,7 @@ from typing import Any
 
 from grading import jail
 from grading.errors import GradingError
-from grading.kit import PROBE_SOURCES, Kit, Scene, Unit, archive_name, probe_object, probe_source
+from grading.kit import Kit, Scene, Unit, archive_name, probe_objects
 from grading.manifest import ROOT, Exercise
 
 
@@ -89,9 +89,9 @@ def link(kit: Kit, stage: str, objects: list[pathlib.Path], replaced: set[str],
          output: pathlib.Path) -> jail.Ended:
     """Links a probe with objects of a student and the reference's answers to all other exercises."""
     mounts = {f"/own/{i}.o": path for i, path in enumerate(objects)}
-    for part in (probe_source(stage), *PROBE_SOURCES):
-        if part not in replaced:
-            mounts[f"/kit/{pathlib.PurePath(part).stem}.o"] = probe_object(stage, part)
+    for source, path in probe_objects(stage).items():
+        if source not in replaced:
+            mounts[f"/kit/{pathlib.PurePath(source).stem}.o"] = path
     archives = ["given"]
     for source in kit.library_sources:
         if source not in replaced and (kit.folder / f"archives/{archive_name(source)}.a").exists():

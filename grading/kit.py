@@ -11,6 +11,7 @@ import functools
 import hashlib
 import os
 import pathlib
+import re
 import shutil
 import sys
 import threading
@@ -19,7 +20,7 @@ from grading import manifest, ninja
 from grading.manifest import ROOT, Exercise
 from grading.ninja import run_tool
 
-BUILD = ROOT / "build" / "grade"
+BUILD = ROOT / "build" / "grade"  # where the preset "grade" builds
 KIT = ROOT / "build" / "kit"
 
 JUDGE_SOURCES = ("grading/judge/main.cpp", "grading/judge/compare.cpp", "grading/judge/records.cpp",
@@ -68,8 +69,8 @@ class Kit:
     def prepare(self) -> None:
         """Builds the reference and takes it apart. Quick when nothing has changed."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        with open(self.folder / "lock", "w", encoding="utf-8") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)  # several shards may start at once
+        with open(KIT / "lock", "w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # several shards may start at once, and kits share one build folder
             self._build()
             self._copy_headers()
             self._precompile_headers()
@@ -79,14 +80,12 @@ class Kit:
     def _build(self) -> None:
         """Compiles what the probes and the judge need: neither engine nor viewer, which nobody is asked for."""
         if not (BUILD / "build.ninja").exists():
-            run_tool(["cmake", "--preset", "release", "-B", str(BUILD), "-D", "RASTERLAB_TESTS=OFF",
-                      "-D", "RASTERLAB_BENCHMARKS=OFF", "-D", "RASTERLAB_GRADING=ON"], "configuring the reference")
+            run_tool(["cmake", "--preset", "grade"], "configuring the reference")
         # Re-runs CMake where files came or went; the list of what to compile is only good after that.
         run_tool(["ninja", "-C", str(BUILD), "build.ninja"], "configuring the reference")
         sources = [*self.library_sources, *JUDGE_SOURCES]
         objects = [str(object_path(source).relative_to(BUILD)) for source in sources]
-        objects += [str(probe_object(stage, part).relative_to(BUILD)) for stage in self.stages
-                    for part in (probe_source(stage), *PROBE_SOURCES)]
+        objects += [str(path.relative_to(BUILD)) for stage in self.stages for path in probe_objects(stage).values()]
         run_tool(["ninja", "-C", str(BUILD), "-j", str(os.cpu_count() or 1),
                   *dict.fromkeys(objects)], "building the reference")
 
@@ -94,8 +93,7 @@ class Kit:
         """The trusted programs: the judge, and a probe per stage with all of the reference's answers."""
         self._link_program(self.judge, [object_path(source) for source in JUDGE_SOURCES])
         for stage in self.stages:
-            self._link_program(self.reference(stage), [probe_object(stage, part)
-                                                       for part in (probe_source(stage), *PROBE_SOURCES)])
+            self._link_program(self.reference(stage), list(probe_objects(stage).values()))
 
     def _link_program(self, program: pathlib.Path, objects: list[pathlib.Path]) -> None:
         archives = sorted((self.folder / "archives").glob("*.a"))
@@ -230,9 +228,9 @@ class Kit:
         return ["-Wl,--as-needed", *(t for t in tokens if t.startswith("/usr/lib/") or t.startswith("-l"))]
 
     def units(self, exercise: Exercise) -> list[Unit]:
-        """What must be compiled for an exercise: its file; where that is a header, the probe that includes it."""
+        """What must be compiled for an exercise: its file; where that is a header, what tries it and includes it."""
         headers = {file for file in self.answers if is_header(file)}
-        source = probe_source(exercise.stage) if is_header(exercise.file) else exercise.file
+        source = scene_source(exercise) if is_header(exercise.file) else exercise.file
         return [Unit(source, tuple(sorted(headers & self.dependencies.get(source, frozenset()))))]
 
     @functools.cached_property
@@ -293,22 +291,28 @@ def archive_name(source: str) -> str:
     return source.removeprefix("common/").removesuffix(".cpp").replace("/", ".")
 
 
-def probe_source(stage: str) -> str:
-    return f"grading/probes/{probe_name(stage)}.cpp"
+def scene_source(exercise: Exercise) -> str:
+    """What tries an answer that is a header: a file of its own, so that no other answer is compiled with it."""
+    return f"grading/probes/stage{exercise.stage[:2]}/{pathlib.PurePath(exercise.file).stem}.cpp"
 
 
 def object_path(source: str) -> pathlib.Path:
     """Where CMake puts the object of a source file of the library, the judge or a probe."""
     if source.startswith("common/"):
         return BUILD / "common/CMakeFiles/common.dir" / (source.removeprefix("common/") + ".o")
-    if source.startswith("grading/probes/stage"):
-        return probe_object(f"{pathlib.PurePath(source).stem[5:7]}_", source)
-    return BUILD / "grading/CMakeFiles/rasterlab_judge.dir" / (source.removeprefix("grading/") + ".o")
+    target = "rasterlab_judge"
+    if match := re.match("grading/probes/(stage[0-9]{2})", source):
+        target = f"{match.group(1)}_probe"
+    return BUILD / f"grading/CMakeFiles/{target}.dir" / (source.removeprefix("grading/") + ".o")
 
 
-def probe_object(stage: str, part: str) -> pathlib.Path:
-    """The object of a source file as the probe of a stage is linked with it."""
-    return BUILD / f"grading/CMakeFiles/{probe_name(stage)}.dir" / (part.removeprefix("grading/") + ".o")
+def probe_objects(stage: str) -> dict[str, pathlib.Path]:
+    """What the probe of a stage is linked of: source file to object."""
+    own = [f"grading/probes/{probe_name(stage)}.cpp",
+           *(path.relative_to(ROOT).as_posix() for path in sorted((ROOT / f"grading/probes/stage{stage[:2]}").glob("*.cpp")))]
+    shared = BUILD / f"grading/CMakeFiles/{probe_name(stage)}.dir"
+    return {source: object_path(source) for source in own} | {
+        source: shared / (source.removeprefix("grading/") + ".o") for source in PROBE_SOURCES}
 
 
 def _hash(text: str) -> bytes:

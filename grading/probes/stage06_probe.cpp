@@ -4,37 +4,14 @@
 #include "common/texture/textured_triangle.h"
 
 #include "grading/probes/lit_scene.h"
-#include "grading/probes/probe.h"
-
-#include <limits>
+#include "grading/probes/made_up_texture.h"
 
 namespace rasterlab::grading {
+
+void wrap_scene(SceneInputs& scene, Results& results);       // stage06/wrap.cpp
+void trilinear_scene(SceneInputs& scene, Results& results);  // stage06/trilinear.cpp
+
 namespace {
-
-constexpr Wrap wraps[] = {Wrap::repeat, Wrap::clamp, Wrap::mirror};
-const std::string wrap_names[] = {"repeated", "clamped", "mirrored"};
-
-/// Texels of any colour, so that a wrong one shows; no side is a power of two.
-Image<Rgb8> texels(SceneInputs& scene) {
-  Image<Rgb8> image{scene.whole(9, 14), scene.whole(5, 8)};
-  for (Rgb8& texel : image.pixels()) texel = to_rgb8(scene.color());
-  return image;
-}
-
-void wrap_scene(SceneInputs& scene, Results& results) {
-  std::vector<float> coordinates = {0, 1, -1, 2, 0.25F, -0.25F, 1.25F, -1.75F, 3};
-  if (!scene.example()) {
-    for (int i = 0; i < 60; ++i) coordinates.push_back(scene.real(-4, 5));
-  }
-  coordinates.push_back(std::numeric_limits<float>::infinity());
-  coordinates.push_back(std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < std::size(wraps); ++i) {
-    std::vector<double> wrapped;
-    for (const float coordinate : coordinates)
-      wrapped.push_back(double(wrap_coordinate(coordinate, wraps[i])));
-    results.numbers(wrap_names[i], wrapped, 1e-6);
-  }
-}
 
 void textured_mesh_scene(SceneInputs& scene, Results& results) {
   const Mesh mesh = make_shape(scene.example() ? "icosphere:1" : "torus:6");
@@ -76,21 +53,6 @@ void perspective_scene(SceneInputs& scene, Results& results) {
   Frame frame = make_frame(72, 60);
   wall(scene, {&texture, Filter::nearest, Wrap::repeat}, frame);
   results.picture("the wall", frame.color, 1, 6);
-}
-
-void trilinear_scene(SceneInputs& scene, Results& results) {
-  const Texture texture(texels(scene));
-  const float last = static_cast<float>(texture.level_count() - 1);
-  for (std::size_t i = 0; i < std::size(wraps); ++i) {
-    std::vector<double> colors;
-    for (int k = 0; k < 40; ++k) {
-      const Vector2<float> uv{scene.real(-1, 2), scene.real(-1, 2)};
-      const float level = k % 4 == 0 ? std::floor(scene.real(0, last + 1)) : scene.real(0, last);
-      const Vector3<float> color = trilinear_at(texture, wraps[i], uv, level);
-      for (const float channel : color) colors.push_back(double(channel));
-    }
-    results.numbers(wrap_names[i], colors, 1e-5);
-  }
 }
 
 }  // namespace

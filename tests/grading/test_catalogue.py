@@ -5,6 +5,7 @@ import tomllib
 import pytest
 
 from grading import catalogue, manifest, selftest
+from grading.kit import is_header, scene_source
 from grading.manifest import ROOT
 
 STAGES = selftest.graded_stages()
@@ -33,3 +34,10 @@ def test_answers_in_other_words_name_known_mistakes() -> None:
     names = {mistake.id for stage in manifest.STAGES for mistake in catalogue.mistakes(stage)}
     answers = tomllib.loads((ROOT / "grading/mutants/in_other_words.toml").read_text())["answer"]
     assert {answer["named"] for answer in answers} <= names
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_answers_that_are_headers_are_tried_in_files_of_their_own(stage: str) -> None:
+    tried = {scene_source(exercise) for exercise in manifest.exercises(stage)
+             if is_header(exercise.file) and not exercise.grading.by_hand}
+    assert {path.relative_to(ROOT).as_posix() for path in (ROOT / f"grading/probes/stage{stage[:2]}").glob("*")} == tried

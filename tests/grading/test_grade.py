@@ -1,0 +1,84 @@
+"""Grading a class: what is graded, and what is not graded again."""
+
+import os
+import pathlib
+import types
+from typing import Any
+
+import pytest
+
+from grading import grade, jail, manifest, record
+from grading.evaluate import Outcome, Verdict
+from grading.grade import Grader
+from grading.manifest import ROOT, Exercise
+
+EXERCISE = next(e for e in manifest.exercises("01_lines") if e.id == "01.7")
+
+
+class Class:
+    """A kit of one exercise whose reference is never built: answers get the verdicts listed, one after the other."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, folder: pathlib.Path) -> None:
+        self.verdicts: list[Verdict] = []
+        self.folder = folder
+        self.kit: Any = types.SimpleNamespace(digest="kit", stages=["01_lines"], exercises=[EXERCISE],
+                                              graded_exercises=[EXERCISE])
+        monkeypatch.setattr(jail, "unenforced", lambda: ())
+        monkeypatch.setattr(grade, "check_whole", lambda *_: {"verdict": "right", "message": ""})
+        monkeypatch.setattr(grade, "evaluate_and_explain", self._evaluate)
+        (folder / "anna").mkdir()
+        self.hand_in("one answer")
+
+    def _evaluate(self, _kit: Any, exercise: Exercise, *_: object) -> tuple[Outcome, None]:
+        verdict = self.verdicts.pop(0)
+        return Outcome(exercise, verdict, None if verdict is Verdict.GRADER_ERROR else 2.0), None
+
+    def hand_in(self, text: str) -> None:
+        (self.folder / "anna" / "draw_line.cpp").write_text(text)
+
+    def grade(self, *verdicts: Verdict) -> bool:
+        """Whether the submission had to be graded now."""
+        self.verdicts = list(verdicts)
+        _, now = Grader(self.kit, self.folder / "report", 1).grade(self.folder / "anna", "anna")
+        assert not self.verdicts
+        return now
+
+
+def test_unchanged_submission_is_not_graded_again(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lab = Class(monkeypatch, tmp_path)
+    assert lab.grade(Verdict.RIGHT)
+    assert not lab.grade()
+
+
+def test_changed_submission_or_kit_is_graded_again(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lab = Class(monkeypatch, tmp_path)
+    lab.grade(Verdict.RIGHT)
+    lab.hand_in("another answer")
+    assert lab.grade(Verdict.WRONG)
+    lab.kit.digest = "another kit"
+    assert lab.grade(Verdict.WRONG)
+
+
+def test_failure_of_the_grader_is_tried_again(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lab = Class(monkeypatch, tmp_path)
+    assert lab.grade(Verdict.GRADER_ERROR)
+    assert lab.grade(Verdict.RIGHT)
+
+
+def test_record_that_was_cut_off_is_made_again(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lab = Class(monkeypatch, tmp_path)
+    lab.grade(Verdict.RIGHT)
+    (tmp_path / "report/records/anna.json").write_text('{"version": 1, "dig')
+    assert lab.grade(Verdict.RIGHT)
+
+
+@pytest.mark.skipif("RASTERLAB_LONG_TESTS" not in os.environ, reason="builds the reference: set RASTERLAB_LONG_TESTS=1")
+def test_examples_are_graded_as_they_deserve(tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
+    examples = sorted(str(path) for path in (ROOT / "grading/examples").iterdir())
+    command = ["--kit", "02", *examples, "--out", str(tmp_path)]
+    assert grade.main([*command, "--shard", "1/2"]) == 0
+    assert capsys.readouterr().out.count("\n") == 2
+    assert grade.main(command) == 0
+    assert capsys.readouterr().out.count("unchanged") == 2
+    anna, ben, carla = (record.load(tmp_path / f"records/{name}.json") for name in ("anna", "ben", "carla"))
+    assert anna and ben and carla and anna.score and ben.score and carla.score
