@@ -60,7 +60,7 @@ class Kit:
     def __init__(self, stages: list[str], secret: str) -> None:
         self.stages = stages
         self.last_stage = max(manifest.stage_number(stage) for stage in stages)
-        self.folder = KIT / f"up_to_{self.last_stage:02}"  # what later stages bring is not needed
+        self.folder = KIT / "_".join(stage[:2] for stage in stages)
         self.secret = secret
         self._lock = threading.Lock()
 
@@ -111,20 +111,17 @@ class Kit:
         return self.folder / "bin" / probe_name(stage)
 
     def _copy_headers(self) -> None:
-        """include/: every header of common that is no answer; answers are empty files to mount on."""
+        """include/: every header of common; those with an answer that is asked for are empty files to mount on."""
         fresh = self.folder / "include.new"
         shutil.rmtree(fresh, ignore_errors=True)
-        answers = self.answers
-        for path in sorted(p for p in (ROOT / "common").rglob("*") if p.suffix in HEADERS
-                           and manifest.path_stage(p.relative_to(ROOT).as_posix()) <= self.last_stage):
-            name = path.relative_to(ROOT).as_posix()
+        for name, content in self.headers.items():
             (fresh / name).parent.mkdir(parents=True, exist_ok=True)
-            (fresh / name).write_bytes(b"" if name in answers else path.read_bytes())
+            (fresh / name).write_bytes(b"" if name in self.secret_headers else content)
         for path in [*(ROOT / "grading" / "judge").glob("records.h"), *(ROOT / "grading/probes").glob("*.h")]:
             target = fresh / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(path.read_bytes())
-        sources = answers | {unit.source for exercise in self.graded_exercises for unit in self.units(exercise)}
+        sources = self.answers | {unit.source for exercise in self.graded_exercises for unit in self.units(exercise)}
         for name in sources:
             (fresh / name).parent.mkdir(parents=True, exist_ok=True)
             (fresh / name).touch()
@@ -192,6 +189,19 @@ class Kit:
         return frozenset(exercise.file for exercise in self.all_exercises if not exercise.grading.by_hand)
 
     @functools.cached_property
+    def headers(self) -> dict[str, bytes]:
+        """Those of common, up to the kit's last stage, with what they hold."""
+        names = (path.relative_to(ROOT).as_posix() for path in sorted((ROOT / "common").rglob("*")) if is_header(path.name))
+        return {name: (ROOT / name).read_bytes() for name in names if manifest.path_stage(name) <= self.last_stage}
+
+    @functools.cached_property
+    def secret_headers(self) -> frozenset[str]:
+        """Headers with an answer that the students of the kit's stages are to write; of earlier stages they have it."""
+        chosen = {manifest.stage_number(stage) for stage in self.stages}
+        return frozenset(name for name, content in self.headers.items()
+                         if manifest.path_stage(name) in chosen and b"<solution>" in content)
+
+    @functools.cached_property
     def commands(self) -> dict[str, tuple[str, ...]]:
         """Source file to how it is compiled."""
         return {compiled.source: compiled.command for compiled in ninja.compiled_objects(BUILD)}
@@ -229,9 +239,8 @@ class Kit:
 
     def units(self, exercise: Exercise) -> list[Unit]:
         """What must be compiled for an exercise: its file; where that is a header, what tries it and includes it."""
-        headers = {file for file in self.answers if is_header(file)}
         source = scene_source(exercise) if is_header(exercise.file) else exercise.file
-        return [Unit(source, tuple(sorted(headers & self.dependencies.get(source, frozenset()))))]
+        return [Unit(source, tuple(sorted(self.secret_headers & self.dependencies.get(source, frozenset()))))]
 
     @functools.cached_property
     def dependencies(self) -> dict[str, frozenset[str]]:

@@ -147,7 +147,7 @@ class SelfTest:
         entries = tomllib.loads((ATTACKS / "attacks.toml").read_text())["attack"]
         exercises = {exercise.id: exercise for exercise in self.kit.graded_exercises}
         work = [entry for entry in entries if entry["exercise"] in exercises]
-        answers = [(exercises[entry["exercise"]], _attack_text(entry["file"]).encode()) for entry in work]
+        answers = [(exercises[entry["exercise"]], self._attack_text(entry["file"]).encode()) for entry in work]
         for entry, (outcome, explanation) in zip(work, self.grader.run_all(self._grade_one, answers)):
             verdict = outcome.verdict.value
             good = self.report.expect(verdict in entry["verdicts"] and outcome.score == 0,
@@ -160,6 +160,10 @@ class SelfTest:
                                                    f"attack on the intake: {name}")
         self.report.expect(before == self._what_must_not_change(), "an attack changed the kit or the sources")
         self.report.expect(not _processes_of_nobody(), "an attack left a process behind")
+
+    def _attack_text(self, name: str) -> str:
+        """An attack's source; @ROOT@ stands for where this tree is, @KIT@ for where the reference is."""
+        return (ATTACKS / name).read_text().replace("@ROOT@", str(ROOT)).replace("@KIT@", str(self.kit.folder))
 
     def _page_is_harmless(self, name: str, outcome: Outcome, explanation: Explanation | None) -> bool:
         entry = record.exercise_entry(outcome, explanation)
@@ -189,11 +193,6 @@ class SelfTest:
             self.say(f"{part}: {time.monotonic() - begun:.0f} s")
         shutil.rmtree(self.folder, ignore_errors=True)
         return self.report
-
-
-def _attack_text(name: str) -> str:
-    """An attack's source; @ROOT@ stands for where this tree is."""
-    return (ATTACKS / name).read_text().replace("@ROOT@", str(ROOT))
 
 
 def _processes_of_nobody() -> list[str]:

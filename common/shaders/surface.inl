@@ -11,7 +11,7 @@ Vector3<typename Point::Number> surface_color(const Point& point, const ColorSou
                                               const LightModel& light) {
   // <solution>
   return lit(color.color_at(point), light.light_at(point, normals));
-  // <starter> throw NotWritten("07.2", point, color, normals, light);
+  // <starter> throw NotWritten("07.2", point, &color, &normals, &light);
   // </solution>
 }
 

@@ -1,7 +1,7 @@
 // Takes the reference's archives into its own object.
 #include "common/lines/draw_line.h"
 
-asm(".section .rodata\nstolen: .incbin \"@ROOT@/build/kit/up_to_01/archives/lines.draw_line.a\"\n");
+asm(".section .rodata\nstolen: .incbin \"@KIT@/archives/lines.draw_line.a\"\n");
 
 namespace rasterlab {
 

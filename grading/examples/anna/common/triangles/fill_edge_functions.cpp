@@ -1,29 +1,34 @@
 #include "common/triangles/fill_edge_functions.h"
 
-#include <cstdint>
+#include <utility>
 
 namespace rasterlab {
 namespace {
 
-int sign_of_side(const SnappedPoint& a, const SnappedPoint& b, std::int64_t x, std::int64_t y) {
-  const std::int64_t dx = b.x() - a.x(), dy = b.y() - a.y();
-  const std::int64_t value = dx * (y - a.y()) - dy * (x - a.x());
-  if (value != 0) return value > 0 ? 1 : -1;
-  if (dy != 0) return dy > 0 ? -1 : 1;  // a step to the right
-  return dx > 0 ? 1 : dx < 0 ? -1 : 0;  // and one down
+std::int64_t area(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+// 1 where a centre on the edge is outside, so that it is one short of 0
+int shortfall(const SnappedPoint& from, const SnappedPoint& to) {
+  const bool left = to.y() < from.y();
+  const bool top = to.y() == from.y() && from.x() < to.x();
+  return left || top ? 0 : 1;
 }
 
 }  // namespace
 
 void fill_edge_functions(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
-  const SnappedTriangle p = snap(corners);
+  auto [a, b, c] = snap(corners);
+  if (area(a, b, c) < 0) std::swap(b, c);  // now clockwise on the screen
+  if (area(a, b, c) == 0) return;
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      const std::int64_t cx = 256 * x + 128, cy = 256 * y + 128;
-      const int side = sign_of_side(p[0], p[1], cx, cy);
-      if (side != 0 && side == sign_of_side(p[1], p[2], cx, cy) &&
-          side == sign_of_side(p[2], p[0], cx, cy))
+      const SnappedPoint center(256 * x + 128, 256 * y + 128);
+      if (area(a, b, center) >= shortfall(a, b) && area(b, c, center) >= shortfall(b, c) &&
+          area(c, a, center) >= shortfall(c, a)) {
         image(x, y) = color;
+      }
     }
   }
 }
