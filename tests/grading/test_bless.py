@@ -38,12 +38,14 @@ def test_wrong_answers_draw_another_picture_or_none(tmp_path: pathlib.Path) -> N
     assert any(bless.differs(picture.path, pictures[chosen[0].file]) for picture in drawn)
 
 
-def test_tolerance_that_lets_an_empty_picture_pass_is_refused(tmp_path: pathlib.Path) -> None:
+def test_tolerance_is_refused_for_every_wrong_picture_it_lets_pass(tmp_path: pathlib.Path) -> None:
     picture = bless.make_pictures([with_tolerance(0, 0)], tmp_path / "out")[with_tolerance(0, 0).file]
     others = bless.other_pictures(EXERCISE, tmp_path, picture)
-    assert bless.refused(with_tolerance(0, 0), picture, others) == []
-    faults = bless.refused(with_tolerance(255, 10**9), picture, others)
-    assert "an empty picture" in faults[0]
+    wrong = [*others, WrongPicture("the starter", others[-1].path), WrongPicture("the known mistake", others[-1].path)]
+    assert bless.refused(with_tolerance(0, 0), picture, wrong) == []
+    faults = "\n".join(bless.refused(with_tolerance(255, 10**9), picture, wrong))
+    for what in ("an empty picture", "of another exercise", "the starter", "the known mistake"):
+        assert what in faults
 
 
 def test_the_same_picture_is_no_fault_of_a_tolerance(tmp_path: pathlib.Path) -> None:

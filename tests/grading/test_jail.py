@@ -4,7 +4,7 @@ import pathlib
 
 from grading import jail
 
-LIMITS = jail.Limits(cpu_seconds=2, wall_seconds=4, memory=256 * jail.MIB, file_size=8 * jail.MIB,
+LIMITS = jail.Limits(cpu_seconds=1, wall_seconds=2, memory=256 * jail.MIB, file_size=8 * jail.MIB,
                      temporary=16 * jail.MIB, processes=8, output=10000)
 PYTHON = ["/usr/bin/python3", "-c"]
 
