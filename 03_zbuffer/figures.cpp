@@ -42,15 +42,16 @@ void show_depth_buffer(Run& run) {
 
 void draw_points(Run& run) {
   constexpr int count = 17;
+  constexpr int middle = count / 2;
   Image<Rgb8> image(count, count);
   DepthBuffer depth(count, count);
   for (int x = 0; x < count; ++x) {
     for (int y = 0; y < count; ++y) {
       // From left to right z goes from −2 to 2; each row is drawn over the one before, a little
       // farther or nearer.
-      const float z = static_cast<float>(x - count / 2) / 4;
+      const float z = static_cast<float>(x - middle) / 4;
       draw_point(image, depth, {x, y}, z, {1, 0.8F, 0.3F});
-      draw_point(image, depth, {x, y}, z + static_cast<float>(y - count / 2) / 4, {0.2F, 0.5F, 1});
+      draw_point(image, depth, {x, y}, z + static_cast<float>(y - middle) / 4, {0.2F, 0.5F, 1});
     }
   }
   run.picture("03.2_points", enlarged(image, 12));
