@@ -16,10 +16,29 @@ std::vector<int> thread_ids() {
   return ids;
 }
 
-void pin(int thread, int core) {
+namespace {
+
+/// As they were before anything was pinned: asked for when the program starts.
+const std::vector<int> cores = [] {
+  cpu_set_t allowed;
+  sched_getaffinity(0, sizeof(allowed), &allowed);
+  std::vector<int> list;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (CPU_ISSET(core, &allowed)) list.push_back(core);
+  }
+  return list;
+}();
+
+}  // namespace
+
+int core_count() {
+  return static_cast<int>(cores.size());
+}
+
+void pin(int thread, int nth) {
   cpu_set_t set;
   CPU_ZERO(&set);
-  CPU_SET(core, &set);
+  CPU_SET(cores[static_cast<std::size_t>(nth) % cores.size()], &set);
   sched_setaffinity(thread, sizeof(set), &set);
 }
 

@@ -8,8 +8,11 @@ namespace rasterlab::bench {
 /// Of this process.
 std::vector<int> thread_ids();
 
-/// Keeps a thread on a core (0: the calling thread).
-void pin(int thread, int core);
+/// How many cores this process was given.
+int core_count();
+
+/// Keeps a thread (0: the calling one) on one of the cores this process was given, the nth.
+void pin(int thread, int nth);
 
 /// The most memory this process has had, in MB.
 double peak_memory();
