@@ -3,6 +3,7 @@
 
 #include "common/engine/statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -58,16 +59,33 @@ class Arena {
   std::size_t used_ = block_size;
 };
 
-/// Triangles of at most `max_side` × `max_side` samples, 16 at a time side by side: the back end
-/// draws one per lane. Coordinates count from the tile's corner in 1/256 pixel, x in the low half,
-/// y in the high half. Corners are in the order that makes the area positive.
-struct SmallTriangles {
+/// Triangles of a few pixels, side by side. Coordinates count from the tile's corner in 1/256
+/// pixel, x in the low half, y in the high half. Corners are in the order that makes the area
+/// positive.
+struct PackedTriangles {
   static constexpr int capacity = 32;
-  static constexpr int max_side = 8;
+  static constexpr int max_small_side = 8;    ///< in samples: drawn one per lane
+  static constexpr int max_medium_side = 63;  ///< in pixels, so that halves of a word are enough
 
-  SmallTriangles* next;
+  PackedTriangles* next;
   std::int32_t count;
   alignas(64) std::array<std::array<std::uint32_t, capacity>, 3> corner;
+  std::array<std::array<float, capacity>, 3> depth;
+  std::array<std::uint32_t, capacity> key;
+};
+
+/// Slivers: a few pixels wide where they are widest, along the axis they reach less far on, and of
+/// any length as long as the box around them has less than 2^31 square units: then all edge
+/// functions in it fit 32 bits. Coordinates count from the tile's corner in 1/256 pixel, area
+/// positive.
+struct ThinTriangles {
+  static constexpr int capacity = 32;
+  static constexpr int max_width = 3;  ///< in pixels
+
+  ThinTriangles* next;
+  std::int32_t count;
+  alignas(64) std::array<std::array<std::int32_t, capacity>, 3> x;
+  std::array<std::array<std::int32_t, capacity>, 3> y;
   std::array<std::array<float, capacity>, 3> depth;
   std::array<std::uint32_t, capacity> key;
 };
@@ -79,6 +97,11 @@ struct LargeTriangle {
   std::array<float, 3> depth;
   std::uint32_t key;
 };
+
+/// Not less than the depth of any of its pixels.
+inline float nearest_of(const LargeTriangle& t) {
+  return std::max({t.depth[0], t.depth[1], t.depth[2]}) * 1.000001F;
+}
 
 struct LargeTriangles {
   static constexpr int capacity = 14;
@@ -109,10 +132,21 @@ struct ChunkList {
 };
 
 struct TileBin {
-  ChunkList<SmallTriangles> small;
+  ChunkList<PackedTriangles> small;
+  ChunkList<PackedTriangles> medium;
+  std::array<ChunkList<ThinTriangles>, ThinTriangles::max_width>
+      thin;  ///< by whole pixels of width
   ChunkList<LargeTriangles> large;
 
-  bool empty() const { return small.first == nullptr && large.first == nullptr; }
+  bool empty() const {
+    return small.first == nullptr && medium.first == nullptr && large.first == nullptr &&
+           std::all_of(thin.begin(), thin.end(), [](const auto& t) { return t.first == nullptr; });
+  }
+};
+
+struct NearTriangle {
+  float nearest;
+  const LargeTriangle* triangle;
 };
 
 /// Room for shading a tile, kept from one to the next (visible_triangles.h).
@@ -132,18 +166,17 @@ struct Worker {
   std::vector<TileBin> bins;
   Statistics statistics;
   ShadingScratch scratch;
+  std::vector<NearTriangle> near_first;  ///< room for sorting a tile's large triangles
 
   void begin_batch(int tiles) {
     arena.reset();
     bins.assign(static_cast<std::size_t>(tiles), TileBin());
   }
 
-  SmallTriangles& small_with_room(int tile) {
-    return bins[static_cast<std::size_t>(tile)].small.with_room(arena);
-  }
+  TileBin& bin(int tile) { return bins[static_cast<std::size_t>(tile)]; }
 
   void add_large(int tile, const LargeTriangle* triangle) {
-    LargeTriangles& chunk = bins[static_cast<std::size_t>(tile)].large.with_room(arena);
+    LargeTriangles& chunk = bin(tile).large.with_room(arena);
     chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }
 };

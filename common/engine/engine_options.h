@@ -7,9 +7,11 @@ namespace rasterlab {
 
 /// What the engine spares itself that can be switched off, to see what it is worth.
 struct Skips {
-  bool outside = true;        ///< clusters outside the view
-  bool hidden = true;         ///< clusters and blocks behind what is already drawn
-  bool front_to_back = true;  ///< draws near clusters first, so that more is hidden
+  bool outside = true;           ///< clusters outside the view
+  bool facing_away = true;       ///< clusters of which culling leaves nothing
+  bool hidden_clusters = true;   ///< clusters behind what is already drawn
+  bool hidden_triangles = true;  ///< triangles, or what of them is in a block of 8×8 pixels
+  bool front_to_back = true;     ///< draws near clusters first, so that more is hidden
 };
 
 struct EngineOptions {

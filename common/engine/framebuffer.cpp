@@ -31,8 +31,8 @@ Framebuffer::Framebuffer(int width, int height, int tile_size)
   has_color_.assign(tiles, FrameAccess::background);
   // Not written before a tile is drawn into: memory that is never touched is never there.
   tile_far_ = std::make_unique<float[]>(tiles);
-  depth_ = std::make_unique_for_overwrite<float[]>(pixels);
-  key_ = std::make_unique_for_overwrite<std::uint32_t[]>(pixels);
+  depth_ = HugePages<float>(pixels);
+  key_ = HugePages<std::uint32_t>(pixels);
   // As many more as the widest vector that begins at the last tile's reads.
   block_far_ = std::make_unique<float[]>(pixels / 64 + 16);
 }

@@ -1,6 +1,7 @@
 // What the engine draws into.
 #pragma once
 
+#include "common/engine/huge_pages.h"
 #include "common/image/image.h"
 #include "common/image/pixel.h"
 
@@ -64,9 +65,9 @@ class Framebuffer {
   std::unique_ptr<float[]> tile_far_;            ///< the farthest depth in the tile
 
   // Tile after tile, in a tile 8×8 blocks row by row, in a block pixels row by row.
-  std::unique_ptr<float[]> depth_;
-  std::unique_ptr<std::uint32_t[]> key_;  ///< id + 1; 0: nothing
-  std::unique_ptr<float[]> block_far_;    ///< per block, the farthest depth in it
+  HugePages<float> depth_;
+  HugePages<std::uint32_t> key_;        ///< id + 1; 0: nothing
+  std::unique_ptr<float[]> block_far_;  ///< per block, the farthest depth in it
   mutable Image<Rgb8> color_;
 };
 

@@ -71,11 +71,47 @@ std::vector<std::uint32_t> spatial_order(const Mesh& mesh) {
   return order;
 }
 
-/// Appends triangles to clusters, beginning a new one when the last is full.
+/// Per vertex of the cluster being built, its place there.
+class LocalVertices {
+ public:
+  void clear() {
+    vertex_.fill(none);
+    count_ = 0;
+  }
+
+  int count() const { return count_; }
+  bool has(std::uint32_t vertex) const { return vertex_[find(vertex)] == vertex; }
+
+  /// The place of a vertex; a new one's is the number of those before.
+  std::uint8_t place_of(std::uint32_t vertex) {
+    const std::size_t slot = find(vertex);
+    if (vertex_[slot] != vertex) {
+      vertex_[slot] = vertex;
+      place_[slot] = static_cast<std::uint8_t>(count_++);
+    }
+    return place_[slot];
+  }
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr std::size_t size = 512;  // more than twice as many as there are vertices
+
+  /// Where in the hash table the vertex is, or would be.
+  std::size_t find(std::uint32_t vertex) const {
+    std::size_t slot = (vertex * 2654435769U) >> 23U;
+    while (vertex_[slot] != vertex && vertex_[slot] != none) slot = (slot + 1) % size;
+    return slot;
+  }
+
+  std::array<std::uint32_t, size> vertex_;
+  std::array<std::uint8_t, size> place_;
+  int count_ = 0;
+};
+
+/// Puts triangles into clusters, beginning a new one when the last is full.
 class ClusterBuilder {
  public:
-  explicit ClusterBuilder(const Mesh& mesh)
-      : mesh_(mesh), owner_(mesh.positions.size(), no_cluster), local_(mesh.positions.size()) {}
+  explicit ClusterBuilder(const Mesh& mesh) : mesh_(mesh) { local_.clear(); }
 
   void add(std::uint32_t triangle) {
     if (full(triangle)) finish();
@@ -88,43 +124,36 @@ class ClusterBuilder {
 
   Clusters take() {
     if (current_.triangle_count > 0) finish();
-    while (result_.center[0].size() % padding != 0) {
-      for (auto& values : result_.center) values.push_back(0);
-      for (auto& values : result_.half_size) values.push_back(0);
-    }
     return std::move(result_);
   }
 
  private:
-  static constexpr std::uint32_t no_cluster = ~std::uint32_t{0};
-
-  std::uint32_t cluster_number() const { return static_cast<std::uint32_t>(result_.list.size()); }
-
   bool full(std::uint32_t triangle) const {
-    int vertices = current_.vertex_count;
+    int vertices = local_.count();
     for (const std::uint32_t vertex : mesh_.triangles[triangle]) {
-      vertices += owner_[vertex] != cluster_number() ? 1 : 0;
+      vertices += local_.has(vertex) ? 0 : 1;
     }
     return current_.triangle_count == Cluster::max_triangles || vertices > Cluster::max_vertices;
   }
 
   std::uint8_t local_vertex(std::uint32_t vertex) {
-    if (owner_[vertex] != cluster_number()) {
-      owner_[vertex] = cluster_number();
-      local_[vertex] = static_cast<std::uint8_t>(current_.vertex_count++);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        result_.position[axis].push_back(mesh_.positions[vertex][static_cast<Eigen::Index>(axis)]);
-      }
+    const int before = local_.count();
+    const std::uint8_t place = local_.place_of(vertex);
+    for (std::size_t axis = 0; axis < 3 && local_.count() > before; ++axis) {
+      result_.position[axis].push_back(mesh_.positions[vertex][static_cast<Eigen::Index>(axis)]);
     }
-    return local_[vertex];
+    return place;
   }
 
   void finish() {
+    current_.vertex_count = static_cast<std::uint16_t>(local_.count());
     for (std::size_t axis = 0; axis < 3; ++axis) add_bounds(axis);
+    add_facing();
     result_.list.push_back(current_);
     pad();
     current_ = {.first_vertex = static_cast<std::uint32_t>(result_.position[0].size()),
                 .first_triangle = static_cast<std::uint32_t>(result_.triangle.size())};
+    local_.clear();
   }
 
   void add_bounds(std::size_t axis) {
@@ -144,6 +173,47 @@ class ClusterBuilder {
                                              : std::numeric_limits<float>::quiet_NaN());
   }
 
+  Eigen::Vector3d position(std::size_t corner, std::size_t triangle) const {
+    const std::size_t vertex = current_.first_vertex + result_.corner[corner][triangle];
+    return {result_.position[0][vertex], result_.position[1][vertex], result_.position[2][vertex]};
+  }
+
+  void add_facing() {
+    std::array<Eigen::Vector3d, Cluster::max_triangles> unit;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double smallest = std::numeric_limits<double>::infinity();
+    double thinnest = smallest;
+    for (std::size_t i = 0; i < current_.triangle_count; ++i) {
+      const std::size_t triangle = current_.first_triangle + i;
+      const Eigen::Vector3d a = position(1, triangle) - position(0, triangle);
+      const Eigen::Vector3d b = position(2, triangle) - position(0, triangle);
+      const Eigen::Vector3d normal = a.cross(b);
+      const double area = normal.norm();
+      const double longest =
+          std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm()}));
+      smallest = std::min(smallest, area);
+      thinnest = std::min(thinnest, area / longest);
+      unit[i] = normal / area;  // not a number when there is no area
+      sum += unit[i];
+    }
+    const Eigen::Vector3d axis = sum.normalized();
+    double spread = 0;
+    bool known = true;
+    for (std::size_t i = 0; i < current_.triangle_count; ++i) {
+      const double distance = (unit[i] - axis).norm();
+      known = known && std::isfinite(distance);
+      spread = std::max(spread, distance);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      result_.facing.axis[i].push_back(static_cast<float>(axis[static_cast<Eigen::Index>(i)]));
+    }
+    // Rounded so that what is concluded from them stays true.
+    result_.facing.spread.push_back(known ? static_cast<float>(spread) + 1e-5F
+                                          : std::numeric_limits<float>::quiet_NaN());
+    result_.facing.smallest.push_back(static_cast<float>(smallest) * 0.9999F);
+    result_.facing.thinnest.push_back(static_cast<float>(thinnest) * 0.9999F);
+  }
+
   void pad() {
     const auto round_up = [](std::size_t size) { return (size + padding - 1) / padding * padding; };
     for (auto& values : result_.position) values.resize(round_up(values.size()));
@@ -154,17 +224,103 @@ class ClusterBuilder {
   const Mesh& mesh_;
   Clusters result_;
   Cluster current_;
-  std::vector<std::uint32_t> owner_;  ///< per vertex of the mesh: the last cluster that has it
-  std::vector<std::uint8_t> local_;   ///< and its place there
+  LocalVertices local_;
 };
+
+// ---------------------------------------------------------------------------------------------
+// Clusters of parts of the mesh, and the parts put together
+
+/// Calls `visit(array of a, the same array of b)` for all arrays that have an entry per cluster.
+template <class A, class B, class Visit>
+void for_each_cluster_array(A& a, B& b, const Visit& visit) {
+  visit(a.list, b.list);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    visit(a.center[axis], b.center[axis]);
+    visit(a.half_size[axis], b.half_size[axis]);
+    visit(a.facing.axis[axis], b.facing.axis[axis]);
+  }
+  visit(a.facing.spread, b.facing.spread);
+  visit(a.facing.smallest, b.facing.smallest);
+  visit(a.facing.thinnest, b.facing.thinnest);
+}
+template <class A, class B, class Visit>
+void for_each_vertex_array(A& a, B& b, const Visit& visit) {
+  for (std::size_t axis = 0; axis < 3; ++axis) visit(a.position[axis], b.position[axis]);
+}
+template <class A, class B, class Visit>
+void for_each_triangle_array(A& a, B& b, const Visit& visit) {
+  for (std::size_t i = 0; i < 3; ++i) visit(a.corner[i], b.corner[i]);
+  visit(a.triangle, b.triangle);
+}
+
+/// Where in the whole a part's arrays begin.
+struct Offsets {
+  std::size_t cluster = 0;
+  std::size_t vertex = 0;
+  std::size_t triangle = 0;
+};
+
+void copy_part(const Clusters& part, const Offsets& offsets, Clusters& whole) {
+  const auto copy_to = [](std::size_t offset) {
+    return [offset](auto& to, const auto& from) {
+      std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(offset));
+    };
+  };
+  for_each_cluster_array(whole, part, copy_to(offsets.cluster));
+  for_each_vertex_array(whole, part, copy_to(offsets.vertex));
+  for_each_triangle_array(whole, part, copy_to(offsets.triangle));
+  for (std::size_t i = 0; i < part.list.size(); ++i) {
+    Cluster& cluster = whole.list[offsets.cluster + i];
+    cluster.first_vertex += static_cast<std::uint32_t>(offsets.vertex);
+    cluster.first_triangle += static_cast<std::uint32_t>(offsets.triangle);
+  }
+}
+
+/// Empties `parts`.
+Clusters join(std::vector<Clusters>& parts) {
+  std::vector<Offsets> begin;
+  Offsets size;
+  for (const Clusters& part : parts) {
+    begin.push_back(size);
+    size.cluster += part.list.size();
+    size.vertex += part.position[0].size();
+    size.triangle += part.triangle.size();
+  }
+  Clusters whole;
+  const auto resize_to = [](std::size_t count) {
+    return [count](auto& array, const auto&) { array.resize(count); };
+  };
+  const std::size_t padded = (size.cluster + padding - 1) / padding * padding;
+  for_each_cluster_array(whole, whole, resize_to(padded));
+  for_each_vertex_array(whole, whole, resize_to(size.vertex));
+  for_each_triangle_array(whole, whole, resize_to(size.triangle));
+  whole.list.resize(size.cluster);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    copy_part(parts[i], begin[i], whole);
+    parts[i] = {};
+  });
+  return whole;
+}
+
+/// The same whatever the number of threads.
+Clusters make_clusters(const Mesh& mesh) {
+  constexpr std::size_t per_part = std::size_t{1} << 16U;
+  const std::vector<std::uint32_t> order = spatial_order(mesh);
+  std::vector<Clusters> parts((order.size() + per_part - 1) / per_part);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    ClusterBuilder builder(mesh);
+    const std::size_t end = std::min((i + 1) * per_part, order.size());
+    for (std::size_t t = i * per_part; t < end; ++t) builder.add(order[t]);
+    parts[i] = builder.take();
+  });
+  return join(parts);
+}
 
 }  // namespace
 
 PreparedMesh::PreparedMesh(const Mesh& mesh) : mesh_(&mesh) {
   check_indices(mesh);
-  ClusterBuilder builder(mesh);
-  for (const std::uint32_t triangle : spatial_order(mesh)) builder.add(triangle);
-  clusters_ = builder.take();
+  clusters_ = make_clusters(mesh);
 }
 
 }  // namespace rasterlab

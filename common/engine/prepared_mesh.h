@@ -22,6 +22,15 @@ struct Cluster {
   std::uint16_t triangle_count = 0;
 };
 
+/// Per cluster: the unit normals of its triangles, (v1 − v0) × (v2 − v0) made as long as 1, are at
+/// most `spread` from `axis`. Not a number where a triangle has none.
+struct Facing {
+  std::array<std::vector<float>, 3> axis;
+  std::vector<float> spread;
+  std::vector<float> smallest;  ///< the least of twice the triangles' areas
+  std::vector<float> thinnest;  ///< the least of twice their areas over their longest sides
+};
+
 /// All clusters, as arrays that SIMD code reads 16 entries at a time (padded at the end).
 struct Clusters {
   std::vector<Cluster> list;
@@ -29,6 +38,8 @@ struct Clusters {
   /// a position isn't.
   std::array<std::vector<float>, 3> center;
   std::array<std::vector<float>, 3> half_size;
+  /// Per cluster, what is known of the ways its triangles face.
+  Facing facing;
   /// Per vertex of a cluster: its position.
   std::array<std::vector<float>, 3> position;
   /// Per triangle of a cluster: which of the cluster's vertices its corners are, beginning with the
@@ -42,7 +53,7 @@ class PreparedMesh {
  public:
   /// Keeps a reference to `mesh`, whose positions and triangles must stay as they are. Throws
   /// InputError when a triangle refers to a vertex there isn't. Positions that are not finite are
-  /// accepted; triangles that use them are not drawn. Cost: a sort of the triangles.
+  /// accepted; triangles that use them are not drawn. Cost: a sort of the triangles, on all cores.
   explicit PreparedMesh(const Mesh& mesh);
 
   const Mesh& mesh() const { return *mesh_; }

@@ -133,6 +133,11 @@ inline void store(Ints a, std::int32_t* to) {
 inline void store(Ints a, std::uint32_t* to) {
   hn::StoreU(hn::BitCast(UintTag(), a.v), UintTag(), to);
 }
+/// The chosen lanes side by side, as the first ones; what is written after them, up to a whole
+/// vector, means nothing.
+inline void store_packed(Truth chosen, Ints a, std::int32_t* to) {
+  hn::StoreU(hn::Compress(a.v, hn::RebindMask(IntTag(), chosen.mask)), IntTag(), to);
+}
 inline Ints gather_ints(const std::int32_t* from, Ints index) {
   return Ints(hn::GatherIndex(IntTag(), from, index.v));
 }

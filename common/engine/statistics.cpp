@@ -12,9 +12,10 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 16> fields = {{
+constexpr std::array<Field, 17> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
+    {"clusters_facing_away", &Statistics::clusters_facing_away},
     {"clusters_hidden", &Statistics::clusters_hidden},
     {"vertices", &Statistics::vertices},
     {"vertices_skipped", &Statistics::vertices_skipped},

@@ -11,14 +11,15 @@ namespace rasterlab {
 /// long as nothing hidden is skipped (what is hidden depends on what was drawn before).
 struct Statistics {
   std::uint64_t clusters = 0;
-  std::uint64_t clusters_outside = 0;  ///< not in the view
-  std::uint64_t clusters_hidden = 0;   ///< behind what is already drawn
-  std::uint64_t vertices = 0;          ///< taken to the window
-  std::uint64_t vertices_skipped = 0;  ///< of skipped clusters
-  std::uint64_t triangles = 0;         ///< of clusters that were not skipped
-  std::uint64_t triangles_culled = 0;  ///< back faces, zero area
-  std::uint64_t triangles_missed = 0;  ///< that miss every sample
-  std::uint64_t triangles_hidden = 0;  ///< small, behind what earlier batches drew
+  std::uint64_t clusters_outside = 0;      ///< not in the view
+  std::uint64_t clusters_facing_away = 0;  ///< culled as a whole
+  std::uint64_t clusters_hidden = 0;       ///< behind what is already drawn
+  std::uint64_t vertices = 0;              ///< taken to the window
+  std::uint64_t vertices_skipped = 0;      ///< of skipped clusters
+  std::uint64_t triangles = 0;             ///< of clusters that were not skipped
+  std::uint64_t triangles_culled = 0;      ///< back faces, zero area
+  std::uint64_t triangles_missed = 0;      ///< that miss every sample
+  std::uint64_t triangles_hidden = 0;      ///< small, behind what earlier batches drew
   std::uint64_t triangles_clipped = 0;
   std::uint64_t triangles_binned = 0;  ///< once per tile
   std::uint64_t blocks_hidden = 0;     ///< 8×8 pixels of a triangle behind what is drawn

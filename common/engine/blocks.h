@@ -1,0 +1,61 @@
+// A tile's blocks of 8×8 pixels, and what is known of each: how far away its farthest pixel is.
+#pragma once
+
+#include "common/engine/kernels.h"
+#include "common/engine/simd.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+inline constexpr int groups = 64 / lanes;  // vectors in a block
+
+/// Per pixel of a block, its place.
+struct BlockPlaces {
+  alignas(64) std::array<std::int32_t, 64> x;
+  alignas(64) std::array<std::int32_t, 64> y;
+
+  constexpr BlockPlaces() : x(), y() {
+    for (std::size_t i = 0; i < 64; ++i) {
+      x[i] = static_cast<std::int32_t>(i % 8);
+      y[i] = static_cast<std::int32_t>(i / 8);
+    }
+  }
+};
+inline constexpr BlockPlaces places;
+
+/// Blocks that a box of pixels reaches into; left ≤ right and top ≤ bottom, all in the tile.
+inline BlockMask blocks_in_bounds(const Tile& tile, int left, int right, int top, int bottom) {
+  const auto ones = [](int count) { return ~BlockMask{0} >> (64 - count); };
+  const int per_row = tile.blocks_per_row();
+  const BlockMask first_of_rows = ones(tile.block_count()) / ones(per_row);
+  const BlockMask columns = (ones(right / 8 - left / 8 + 1) << (left / 8)) * first_of_rows;
+  return columns & ones((bottom / 8 - top / 8 + 1) * per_row) << (top / 8 * per_row);
+}
+
+/// Those of `blocks` of which not every pixel is nearer than `nearest`.
+inline BlockMask without_hidden(const Tile& tile, BlockMask blocks, float nearest,
+                                Statistics& statistics) {
+  BlockMask before = 0;
+  for (int first = 0; first < tile.block_count(); first += lanes) {
+    const Truth far = load(tile.block_far + first) > Number(nearest);
+    before |= static_cast<BlockMask>(bits(far)) << first;
+  }
+  statistics.blocks_hidden += static_cast<unsigned>(std::popcount(blocks & before));
+  return blocks & ~before;
+}
+
+/// After pixels of these blocks were drawn.
+inline void update_far(const Tile& tile, BlockMask blocks) {
+  for (; blocks != 0; blocks &= blocks - 1) {
+    const int block = std::countr_zero(blocks);
+    Number far = load(tile.depth + block * 64);
+    for (int g = 1; g < groups; ++g) {
+      far = minimum(far, load(tile.depth + block * 64 + g * lanes));
+    }
+    tile.block_far[block] = smallest(far);
+  }
+}
+
+}  // namespace rasterlab::RASTERLAB_SIMD

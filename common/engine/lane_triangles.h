@@ -1,0 +1,84 @@
+// Triangles of bins set up, as many at once as there are lanes.
+#pragma once
+
+#include "common/engine/kernels.h"
+#include "common/engine/simd.h"
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+/// Coordinates from the tile's corner, in 1/256 pixel.
+struct LaneCorners {
+  std::array<Ints, 3> x;
+  std::array<Ints, 3> y;
+};
+
+inline LaneCorners unpack_corners(const PackedTriangles& triangles, int from) {
+  LaneCorners corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Ints packed = load(triangles.corner[i].data() + from);
+    corners.x[i] = shift_right<16>(shift_left<16>(packed));
+    corners.y[i] = shift_right<16>(packed);
+  }
+  return corners;
+}
+
+inline Ints smallest_of(const std::array<Ints, 3>& a) {
+  return minimum(minimum(a[0], a[1]), a[2]);
+}
+inline Ints largest_of(const std::array<Ints, 3>& a) {
+  return maximum(maximum(a[0], a[1]), a[2]);
+}
+
+/// First and last pixels whose centres are within the bounds, cut to `columns` × `rows`.
+struct LaneBounds {
+  Ints left, right, top, bottom;
+
+  LaneBounds(const LaneCorners& c, int columns, int rows)
+      : left(maximum(shift_right<8>(smallest_of(c.x) + Ints(127)), Ints(0))),
+        right(minimum(shift_right<8>(largest_of(c.x) - Ints(128)), Ints(columns - 1))),
+        top(maximum(shift_right<8>(smallest_of(c.y) + Ints(127)), Ints(0))),
+        bottom(minimum(shift_right<8>(largest_of(c.y) - Ints(128)), Ints(rows - 1))) {}
+};
+
+/// An edge function, in 32 bits: exact where those hold it, as they do in the box around any
+/// triangle that is drawn this way.
+struct LaneEdge {
+  Ints value;     ///< at the place asked for, less what makes the boundary belong elsewhere
+  Ints lessened;  ///< 0 or 1: by how much
+  Ints step_x;    ///< per pixel
+  Ints step_y;
+
+  /// The one that faces corner i, at (px, py).
+  LaneEdge(const LaneCorners& c, std::size_t i, Ints px, Ints py) {
+    const std::size_t a = (i + 1) % 3;
+    const std::size_t b = (i + 2) % 3;
+    const Ints dx = c.x[b] - c.x[a];
+    const Ints dy = c.y[b] - c.y[a];
+    const Truth owns = dy < Ints(0) || (dy == Ints(0) && dx > Ints(0));
+    lessened = select(owns, Ints(0), Ints(1));
+    step_x = shift_left<8>(Ints(0) - dy);
+    step_y = shift_left<8>(dx);
+    value = dx * (py - c.y[a]) - dy * (px - c.x[a]) - lessened;
+  }
+};
+
+/// From edge functions 1 and 2 to depth.
+struct LaneDepth {
+  Number d0, k1, k2;
+  Number nearest;  ///< not less than the depth of any pixel
+
+  LaneDepth(const LaneCorners& c, const float* depth0, const float* depth1, const float* depth2)
+      : d0(load(depth0)) {
+    const Ints area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
+    const Doubles inverse = Doubles(1) / to_doubles(area);
+    const Number d1 = load(depth1);
+    const Number d2 = load(depth2);
+    k1 = to_number((to_doubles(d1) - to_doubles(d0)) * inverse);
+    k2 = to_number((to_doubles(d2) - to_doubles(d0)) * inverse);
+    nearest = maximum(maximum(d0, d1), d2) * Number(1.000001F);
+  }
+
+  Number at(Ints e1, Ints e2) const { return d0 + (as_numbers(e1) * k1 + as_numbers(e2) * k2); }
+};
+
+}  // namespace rasterlab::RASTERLAB_SIMD

@@ -1,0 +1,147 @@
+// Triangles of up to 63 pixels a side: set up side by side, one per lane, and then drawn one after
+// the other, in blocks of 8×8 pixels. Their edge functions fit 32 bits in all the tile.
+#pragma once
+
+#include "common/engine/blocks.h"
+#include "common/engine/lane_triangles.h"
+
+namespace rasterlab::RASTERLAB_SIMD {
+
+/// As many triangles as there are lanes, as arrays.
+struct MediumLanes {
+  using Values = std::array<std::int32_t, lanes>;
+  using Numbers = std::array<float, lanes>;
+
+  std::array<Values, 3> value;  ///< of edge functions at the tile's first pixel
+  std::array<Values, 3> lessened;
+  std::array<Values, 3> step_x;
+  std::array<Values, 3> step_y;
+  Values left, right, top, bottom;
+  Numbers d0, k1, k2, nearest;
+
+  MediumLanes(const PackedTriangles& triangles, int from, const Tile& tile) {
+    const LaneCorners corners = unpack_corners(triangles, from);
+    const LaneBounds bounds(corners, tile.size, tile.size);
+    store(bounds.left, left.data());
+    store(bounds.right, right.data());
+    store(bounds.top, top.data());
+    store(bounds.bottom, bottom.data());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const LaneEdge edge(corners, i, Ints(128), Ints(128));
+      store(edge.value, value[i].data());
+      store(edge.lessened, lessened[i].data());
+      store(edge.step_x, step_x[i].data());
+      store(edge.step_y, step_y[i].data());
+    }
+    const LaneDepth depth(corners, triangles.depth[0].data() + from,
+                          triangles.depth[1].data() + from, triangles.depth[2].data() + from);
+    store(depth.d0, d0.data());
+    store(depth.k1, k1.data());
+    store(depth.k2, k2.data());
+    store(depth.nearest, nearest.data());
+  }
+};
+
+/// One of them.
+class MediumTriangle {
+ public:
+  MediumTriangle(const Tile& tile, const MediumLanes& t, std::size_t lane, std::uint32_t key)
+      : tile_(tile),
+        top_(t.top[lane]),
+        bottom_(t.bottom[lane]),
+        key_(static_cast<std::int32_t>(key)),
+        d0_(t.d0[lane]),
+        k1_(t.k1[lane]),
+        k2_(t.k2[lane]) {
+    const Ints x = load(places.x.data());
+    const Ints y = load(places.y.data());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t step_x = t.step_x[i][lane];
+      const std::int32_t step_y = t.step_y[i][lane];
+      edge_[i] = {t.value[i][lane], step_x, step_y, 7 * (std::max(step_x, 0) + std::max(step_y, 0)),
+                  x * Ints(step_x) + y * Ints(step_y)};
+    }
+    lessened1_ = Ints(t.lessened[1][lane]);
+    lessened2_ = Ints(t.lessened[2][lane]);
+  }
+
+  /// Returns which of the blocks it was drawn into.
+  BlockMask draw(BlockMask blocks) const {
+    BlockMask drawn = 0;
+    for (; blocks != 0; blocks &= blocks - 1) {
+      const int block = std::countr_zero(blocks);
+      const int x = block % tile_.blocks_per_row() * 8;
+      const int y = block / tile_.blocks_per_row() * 8;
+      std::int32_t best = 0;  // negative: all the block is outside an edge
+      for (const Edge& e : edge_) best |= e.at(x, y) + e.to_best;
+      if (best >= 0 && draw_block(block, x, y)) drawn |= BlockMask{1} << block;
+    }
+    return drawn;
+  }
+
+ private:
+  struct Edge {
+    std::int32_t value, step_x, step_y;
+    std::int32_t to_best;  ///< from a block's first pixel to where in it the function is largest
+    Ints offset;           ///< to the pixels of a block's first vector
+
+    std::int32_t at(int x, int y) const { return value + x * step_x + y * step_y; }
+  };
+
+  /// False when it covers none of the block's pixels.
+  bool draw_block(int block, int x, int y) const {
+    const int first = std::max(top_ - y, 0) * 8 / lanes;
+    const int last = (std::min(bottom_ - y, 7) * 8 + 7) / lanes;
+    bool drawn = false;
+    for (int g = first; g <= last; ++g) {
+      const int group_x = x + g * lanes % 8;
+      const int group_y = y + g * lanes / 8;
+      std::array<Ints, 3> e;
+      for (std::size_t i = 0; i < 3; ++i) {
+        e[i] = Ints(edge_[i].at(group_x, group_y)) + edge_[i].offset;
+      }
+      const Truth covered = (e[0] | e[1] | e[2]) >= Ints(0);
+      if (!any(covered)) continue;
+      drawn = true;
+      const Number depth =
+          d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_);
+      float* depth_there = tile_.depth + block * 64 + g * lanes;
+      std::uint32_t* key_there = tile_.key + block * 64 + g * lanes;
+      const Number old_depth = load(depth_there);
+      const Ints old_key = load(key_there);
+      const Truth nearer = covered && (depth > old_depth || (depth == old_depth && key_ < old_key));
+      store(select(nearer, depth, old_depth), depth_there);
+      store(select(nearer, key_, old_key), key_there);
+    }
+    return drawn;
+  }
+
+  const Tile& tile_;
+  int top_, bottom_;
+  Ints key_;
+  Number d0_, k1_, k2_;
+  std::array<Edge, 3> edge_;
+  Ints lessened1_, lessened2_;
+};
+
+inline void draw_medium(const Tile& tile, const PackedTriangles& triangles, bool skip_hidden,
+                        Statistics& statistics) {
+  for (int from = 0; from < triangles.count; from += lanes) {
+    const MediumLanes t(triangles, from, tile);
+    BlockMask drawn = 0;
+    const int count = std::min(triangles.count - from, lanes);
+    for (int i = 0; i < count; ++i) {
+      const auto lane = static_cast<std::size_t>(i);
+      if (t.left[lane] > t.right[lane] || t.top[lane] > t.bottom[lane]) continue;
+      BlockMask open =
+          blocks_in_bounds(tile, t.left[lane], t.right[lane], t.top[lane], t.bottom[lane]);
+      if (skip_hidden) open = without_hidden(tile, open, t.nearest[lane], statistics);
+      if (open == 0) continue;
+      const std::uint32_t key = triangles.key[static_cast<std::size_t>(from + i)];
+      drawn |= MediumTriangle(tile, t, lane, key).draw(open);
+    }
+    update_far(tile, drawn);
+  }
+}
+
+}  // namespace rasterlab::RASTERLAB_SIMD
