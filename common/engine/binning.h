@@ -106,8 +106,12 @@ class Binning {
       const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
       const std::uint32_t key = job_.first_key + ids[lane];
       const auto is = [lane](std::uint32_t kind) { return (kind >> lane & 1U) != 0; };
-      if (is(kinds.small | kinds.medium)) {
-        add_packed(lane, key, is(kinds.small) ? &TileBin::small : &TileBin::medium);
+      if (is(kinds.small)) {
+        add_packed(lane, key, &TileBin::small, 1);
+        continue;
+      }
+      if (is(kinds.medium)) {
+        add_packed(lane, key, &TileBin::medium, TileBin::worth_of_medium);
         continue;
       }
       const LargeTriangle triangle = {{x_[0][lane], x_[1][lane], x_[2][lane]},
@@ -173,7 +177,9 @@ class Binning {
 
   void add_thin(const LargeTriangle& triangle, std::size_t width, const PixelBounds& pixels) {
     for_each_tile(triangle, pixels, [&](int tx, int ty) {
-      ThinTriangles& bin = worker_.bin(ty * tiles_x_ + tx).thin[width].with_room(worker_.arena);
+      const int tile = ty * tiles_x_ + tx;
+      ThinTriangles& bin = worker_.bin(tile).thin[width].with_room(worker_.arena);
+      ++worker_.bin(tile).worth;
       const auto place = static_cast<std::size_t>(bin.count++);
       for (std::size_t i = 0; i < 3; ++i) {
         bin.x[i][place] = triangle.x[i] - (tx << (tile_shift_ + 8));
@@ -216,13 +222,15 @@ class Binning {
     return shift_left<2 * shift>(tile) + shift_left<shift>(y & mask) + (x & mask);
   }
 
-  void add_packed(std::size_t lane, std::uint32_t key, ChunkList<PackedTriangles> TileBin::*kind) {
+  void add_packed(std::size_t lane, std::uint32_t key, ChunkList<PackedTriangles> TileBin::*kind,
+                  std::uint32_t worth) {
     const float nearest = std::max({depth_[0][lane], depth_[1][lane], depth_[2][lane]}) * 1.000001F;
     for (int ty = top_[lane] >> tile_shift_; ty <= bottom_[lane] >> tile_shift_; ++ty) {
       for (int tx = left_[lane] >> tile_shift_; tx <= right_[lane] >> tile_shift_; ++tx) {
         const int tile = ty * tiles_x_ + tx;
         if (hides(tile, nearest)) continue;
         PackedTriangles& bin = (worker_.bin(tile).*kind).with_room(worker_.arena);
+        worker_.bin(tile).worth += worth;
         const auto place = static_cast<std::size_t>(bin.count++);
         const std::int32_t origin_x = tx << (tile_shift_ + 8);
         const std::int32_t origin_y = ty << (tile_shift_ + 8);

@@ -33,7 +33,8 @@ class Arena {
     used_ = blocks_.empty() ? block_size : 0;
   }
 
-  std::size_t bytes() const { return blocks_.size() * block_size; }
+  /// In use.
+  std::size_t bytes() const { return blocks_.empty() ? 0 : current_ * block_size + used_; }
 
  private:
   static constexpr std::size_t alignment = 64;
@@ -138,10 +139,10 @@ struct TileBin {
       thin;  ///< by whole pixels of width
   ChunkList<LargeTriangles> large;
 
-  bool empty() const {
-    return small.first == nullptr && medium.first == nullptr && large.first == nullptr &&
-           std::all_of(thin.begin(), thin.end(), [](const auto& t) { return t.first == nullptr; });
-  }
+  /// How much there is to draw: 1 for a small or thin triangle, more for what may hide others.
+  std::uint32_t worth = 0;
+  static constexpr std::uint32_t worth_of_medium = 8;
+  static constexpr std::uint32_t worth_of_large = 1000;
 };
 
 struct NearTriangle {
@@ -168,7 +169,7 @@ struct Worker {
   ShadingScratch scratch;
   std::vector<NearTriangle> near_first;  ///< room for sorting a tile's large triangles
 
-  void begin_batch(int tiles) {
+  void begin(int tiles) {
     arena.reset();
     bins.assign(static_cast<std::size_t>(tiles), TileBin());
   }
@@ -177,6 +178,7 @@ struct Worker {
 
   void add_large(int tile, const LargeTriangle* triangle) {
     LargeTriangles& chunk = bin(tile).large.with_room(arena);
+    bin(tile).worth += TileBin::worth_of_large;
     chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }
 };

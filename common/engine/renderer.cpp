@@ -129,6 +129,7 @@ class Drawing {
       : job_(job), kernels_(kernels), threads_(threads) {}
 
   void run() {
+    for (Worker& worker : threads_.workers) worker.begin(job_.frame.tile_count());
     find_visible();
     sort_front_to_back();
     // Small at first: what they draw hides much of the rest.
@@ -145,6 +146,10 @@ class Drawing {
   static constexpr std::uint32_t clusters_per_task = 256;
   static constexpr std::size_t first_batch = 64;
   static constexpr std::size_t largest_batch = 256;
+  /// What is worth fetching a tile's memory for (TileBin::worth); with less it waits.
+  static constexpr std::uint32_t enough_for_a_tile = 96;
+  /// What bins may hold, in bytes, before every tile is drawn.
+  static constexpr std::size_t most_binned = std::size_t{16} << 20U;
 
   void find_visible() {
     const auto count = static_cast<std::uint32_t>(job_.mesh->clusters().list.size());
@@ -186,8 +191,6 @@ class Drawing {
   }
 
   void draw_batch(std::span<const VisibleCluster> clusters, bool last) {
-    const int tiles = job_.frame.tile_count();
-    for (Worker& worker : threads_.workers) worker.begin_batch(tiles);
     constexpr std::size_t per_task = 8;  // few enough that threads end at the same time
     const auto tasks = static_cast<int>((clusters.size() + per_task - 1) / per_task);
     threads_.for_each(tasks, [&](int task, Worker& worker) {
@@ -195,21 +198,32 @@ class Drawing {
       kernels_.bin_clusters(
           job_, clusters.subspan(begin, std::min(per_task, clusters.size() - begin)), worker);
     });
-    threads_.for_each(tiles, [&](int tile, Worker& worker) { draw_tile(tile, worker, last); });
-  }
-
-  bool anything_binned(int tile) const {
-    return std::any_of(threads_.workers.begin(), threads_.workers.end(), [&](const Worker& w) {
-      return !w.bins[static_cast<std::size_t>(tile)].empty();
+    const bool every_tile = last || bytes_binned() > most_binned;
+    const std::uint32_t enough = every_tile ? 1 : enough_for_a_tile;
+    threads_.for_each(job_.frame.tile_count(), [&](int tile, Worker& worker) {
+      if (worth_drawing(tile) >= enough) draw_tile(tile, worker);
+      if (last) finish_tile(tile, worker);
     });
+    if (!every_tile) return;
+    for (Worker& worker : threads_.workers) worker.arena.reset();
   }
 
-  void draw_tile(int tile, Worker& worker, bool last) {
-    if (anything_binned(tile)) {
-      job_.frame.prepare(tile);
-      kernels_.draw_tile(job_, tile, threads_.workers, worker);
-    }
-    if (last) finish_tile(tile, worker);
+  std::size_t bytes_binned() const {
+    std::size_t bytes = 0;
+    for (const Worker& worker : threads_.workers) bytes += worker.arena.bytes();
+    return bytes;
+  }
+
+  std::uint32_t worth_drawing(int tile) const {
+    std::uint32_t worth = 0;
+    for (Worker& worker : threads_.workers) worth += worker.bin(tile).worth;
+    return worth;
+  }
+
+  void draw_tile(int tile, Worker& worker) {
+    job_.frame.prepare(tile);
+    kernels_.draw_tile(job_, tile, threads_.workers, worker);
+    for (Worker& from : threads_.workers) from.bin(tile) = {};
   }
 
   void finish_tile(int tile, Worker& worker) {
