@@ -3,7 +3,6 @@
 #include "common/image/files.h"
 
 #include "tests/support/process.h"
-#include "tests/support/scratch.h"
 
 #include <cmath>
 #include <sstream>
@@ -59,6 +58,15 @@ std::string geometry_fault(const RayCaster& witness, double x, double y, const H
          number(distance_tolerance(witness, x, y, expected));
 }
 
+void run(const std::vector<std::string>& command) {
+  const ProcessResult result = run_process(command);
+  if (result.exit_status == 0) return;
+  std::string line;
+  for (const std::string& word : command) line += word + " ";
+  throw std::runtime_error(line + "exited with " + std::to_string(result.exit_status) + ": " +
+                           result.err);
+}
+
 }  // namespace
 
 std::string comma_separated(const Eigen::Vector3d& vector) {
@@ -95,16 +103,18 @@ Picture take_picture(const std::string& stage, const std::string& mesh, int widt
                                    "--ids",
                                    scratch / "ids.pfm"};
   command.insert(command.end(), flags.begin(), flags.end());
-  const ProcessResult result = run_process(command);
-  if (result.exit_status != 0) {
-    std::string line;
-    for (const std::string& word : command) line += word + " ";
-    throw std::runtime_error(line + "exited with " + std::to_string(result.exit_status) + ": " +
-                             result.err);
-  }
+  run(command);
   return {.color = read_image<Rgb8>(scratch / "picture.png"),
           .distance = read_image<float>(scratch / "distance.pfm"),
           .ids = read_image<float>(scratch / "ids.pfm")};
+}
+
+Figures::Figures(const std::string& stage, const std::string& exercise) {
+  run({program(stage), "--exercise", exercise, "--out", folder_.path()});
+}
+
+Image<Rgb8> Figures::operator()(const std::string& file) const {
+  return read_image<Rgb8>(folder_ / file);
 }
 
 void Agreement::add_fault(const std::string& what) {

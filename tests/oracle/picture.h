@@ -7,6 +7,7 @@
 #include "common/mesh/mesh.h"
 
 #include "tests/oracle/ray_caster.h"
+#include "tests/support/scratch.h"
 
 #include <optional>
 #include <ostream>
@@ -40,6 +41,19 @@ struct Picture {
 /// it fails.
 Picture take_picture(const std::string& stage, const std::string& mesh, int width, int height,
                      const std::vector<std::string>& flags);
+
+/// The pictures that an exercise of a stage writes, at the size they have by themselves.
+class Figures {
+ public:
+  /// Runs `stage --exercise ID`. Throws std::runtime_error with what it printed when it fails.
+  Figures(const std::string& stage, const std::string& exercise);
+
+  /// Of "04.4_cube.png".
+  Image<Rgb8> operator()(const std::string& file) const;
+
+ private:
+  ScratchFolder folder_;
+};
 
 /// How a picture agrees with the witness.
 struct Agreement {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 namespace rasterlab::oracle {
 
@@ -167,6 +170,17 @@ Agreement compare_colors(const RayCaster& witness, const Image<Rgb8>& picture,
     }
   }
   return agreement;
+}
+
+void expect_figure(const std::string& name, const Image<Rgb8>& figure, const FigureScene& scene,
+                   const std::function<Shade(const Surface& surface, const Hit& hit)>& shade) {
+  const RayCaster witness(scene.mesh, scene.camera, figure.width(), figure.height(), scene.cull);
+  const Surface surface(scene.mesh);
+  const Agreement agreement = compare_colors(
+      witness, figure, [&](double, double, const Hit& hit) { return shade(surface, hit); });
+  std::cout << name << ": " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << name << ": " << agreement;
+  EXPECT_GT(agreement.drawn, 100) << name;
 }
 
 }  // namespace rasterlab::oracle

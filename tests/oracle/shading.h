@@ -84,6 +84,18 @@ Shade shade_flat(const Surface& surface, const Lighting& lighting, const Hit& hi
 Shade shade_gouraud(const Surface& surface, const Lighting& lighting, const Hit& hit);
 Shade shade_phong(const Surface& surface, const Lighting& lighting, const Hit& hit);
 
+/// A scene of a figure: its mesh, lit or not, and from where it is seen.
+struct FigureScene {
+  Mesh mesh;
+  Camera camera;
+  Cull cull = Cull::none;
+};
+
+/// Compares a figure with what the ray caster sees, says on standard output how the two agree, and
+/// fails the test where they do not.
+void expect_figure(const std::string& name, const Image<Rgb8>& figure, const FigureScene& scene,
+                   const std::function<Shade(const Surface& surface, const Hit& hit)>& shade);
+
 /// Compares every pixel's colour, at most `tolerance` code values off in each channel. Beside those
 /// within 1/128 px of an edge, pixels within 1/128 px of a jump of the colour are left out and
 /// counted as near an edge. Where nothing is hit, black is expected.

@@ -1,8 +1,17 @@
-// The pictures of stage 04 against the ray caster: which face each pixel shows and how far it is.
+// The pictures of stage 04 against the ray caster: which face each pixel shows, how far it is and
+// its colour.
 #include "common/mesh/read_mesh.h"
+#include "common/mesh/shapes.h"
+#include "common/projection/scene.h"
 
 #include "tests/oracle/geometry_cases.h"
+#include "tests/oracle/shading.h"
+#include "tests/support/places.h"
 
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace rasterlab::oracle {
@@ -17,11 +26,41 @@ TEST_P(stage04_witness_of, sees_the_same) {
 INSTANTIATE_TEST_SUITE_P(, stage04_witness_of, testing::ValuesIn(built_in_cases()),
                          case_name<testing::TestParamInfo<GeometryCase>>);
 
+/// The colours of the vertices, mixed; without any, grey, as bright as the face looks at the
+/// viewer.
+Shade shade_face(const Mesh& mesh, const Surface& surface, const Camera& camera, const Hit& hit) {
+  if (!mesh.colors.empty()) return {surface.color(hit)};
+  const Eigen::Vector3d in_camera =
+      camera.view.topLeftCorner<3, 3>() * surface.face_normal(hit.face);
+  return {Eigen::Vector3d::Constant(0.8 * (0.15 + 0.85 * std::abs(in_camera.z())))};
+}
+
+void expect_colors(const GeometryCase& geometry) {
+  const auto& [name, mesh_name, viewpoint, width, height, cull] = geometry;
+  std::vector<std::string> flags = viewpoint.flags();
+  flags.insert(flags.end(), {"--cull", cull_name(cull)});
+  const Picture picture = take_picture("04_projection", mesh_name, width, height, flags);
+  const Mesh mesh = read_mesh(mesh_name);
+  const Camera camera = viewpoint.camera(width, height);
+  const RayCaster witness(mesh, camera, width, height, cull);
+  const Surface surface(mesh);
+  const Agreement agreement = compare_colors(
+      witness, picture.color,
+      [&](double, double, const Hit& hit) { return shade_face(mesh, surface, camera, hit); });
+  std::cout << mesh_name << ": " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << agreement;
+}
+
+TEST_P(stage04_witness_of, has_the_same_colours) {
+  expect_colors(GetParam());
+}
+
 TEST(stage04_witness, sees_the_same_of_models_no_one_here_wrote) {
   int drawn = 0;
   for (const GeometryCase& geometry : foreign_cases()) {
     SCOPED_TRACE(geometry.mesh);
     drawn += expect_geometry("04_projection", geometry).drawn;
+    expect_colors(geometry);
   }
   EXPECT_GT(drawn, 10000);
 }
@@ -36,6 +75,130 @@ TEST(stage04_witness, is_not_easily_satisfied) {
     const Agreement agreement = compare_geometry(witness, picture);
     EXPECT_EQ(agreement.wrong > 500, viewpoint.eye != here.eye) << agreement;
   }
+}
+
+// --- The exercises' own figures ---
+
+Eigen::Matrix4d turned(double degrees, const Eigen::Vector3d& axis) {
+  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, axis);
+  return Eigen::Affine3d(turn).matrix();
+}
+
+Eigen::Matrix4d scaled(double x, double y, double z) {
+  return Eigen::Affine3d(Eigen::Scaling(x, y, z)).matrix();
+}
+
+Eigen::Matrix4d moved(double x, double y, double z) {
+  return Eigen::Affine3d(Eigen::Translation3d(x, y, z)).matrix();
+}
+
+Shade vertex_color(const Surface& surface, const Hit& hit) {
+  return {surface.color(hit)};
+}
+
+void expect_cube(const Figures& figures, const std::string& file, const Camera& camera) {
+  expect_figure(file, figures(file), {.mesh = make_shape("cube"), .camera = camera}, &vertex_color);
+}
+
+/// As seen from (0, 0, 1/per_distance), with planes at z = 1.2 and z = −3 that cut nothing away: a
+/// ray needs two ends.
+Eigen::Matrix4d from_distance(double per_distance) {
+  const double near = 1.2;
+  const double far = -3;
+  const double near_w = 1 - near * per_distance;
+  const double far_w = 1 - far * per_distance;
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
+  projection(2, 2) = -(near_w + far_w) / (near - far);
+  projection(2, 3) = -near_w - projection(2, 2) * near;
+  projection(3, 2) = -per_distance;
+  return projection;
+}
+
+TEST(stage04_figures, the_cube_from_distance_2_and_5_and_from_infinitely_far) {
+  const Figures figures("04_projection", "04.3");
+  for (const auto& [file, per_distance] : {std::pair{"04.3_distance_2.png", 0.5},
+                                           {"04.3_distance_5.png", 0.2},
+                                           {"04.3_infinitely_far.png", 0.0}}) {
+    expect_cube(figures, file,
+                {.model = turned(20, {1, 0, 0}) * turned(30, {0, 1, 0}) * scaled(0.5, 0.5, 0.5),
+                 .projection = from_distance(per_distance)});
+  }
+}
+
+TEST(stage04_figures, the_cube_by_field_of_view) {
+  expect_cube(Figures("04_projection", "04.4"), "04.4_cube.png",
+              {.model = turned(20, {1, 0, 0}) * turned(30, {0, 1, 0}),
+               .view = moved(0, 0, -4),
+               .projection = perspective(60, 1, 0.1, 20)});
+}
+
+TEST(stage04_figures, the_cube_looked_at_and_looked_past) {
+  const Figures figures("04_projection", "04.5");
+  for (const auto& [file, center] : {std::pair{"04.5_look_at.png", Eigen::Vector3d(0, 0, 0)},
+                                     {"04.5_other_center.png", Eigen::Vector3d(-0.4, 0.3, 0)}}) {
+    expect_cube(figures, file,
+                {.model = scaled(0.5, 0.5, 0.5),
+                 .view = look_at({1, 1, 2}, center, {0, 1, 0}),
+                 .projection = perspective(60, 1, 0.1, 20)});
+  }
+}
+
+TEST(stage04_figures, the_scene_by_its_focal_length_in_pixels) {
+  const Scene scene = read_scene(source_folder() / "data/cube.scene");
+  const double half_height = scene.height / 2.0;
+  const double fovy = 360 / std::numbers::pi * std::atan(half_height / scene.focal_length);
+  const double aspect = static_cast<double>(scene.width) / scene.height;
+  expect_figure("04.6_scene.png", Figures("04_projection", "04.6")("04.6_scene.png"),
+                {.mesh = read_mesh(scene.mesh),
+                 .camera = {.view = look_at(scene.eye.cast<double>(), scene.look_at.cast<double>(),
+                                            -scene.up.cast<double>()),
+                            .projection = perspective(fovy, aspect, 0.1, 100)}},
+                &vertex_color);
+}
+
+TEST(stage04_figures, one_triangle) {
+  Mesh triangle;
+  triangle.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  triangle.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  triangle.triangles = {{0, 1, 2}};
+  expect_figure("04.7_triangle.png", Figures("04_projection", "04.7")("04.7_triangle.png"),
+                {.mesh = triangle,
+                 .camera = {.model = turned(50, {0, 1, 0}),
+                            .view = moved(0, 0, -3),
+                            .projection = perspective(60, 1, 0.1, 20)}},
+                &vertex_color);
+}
+
+TEST(stage04_figures, the_cube_with_depth) {
+  expect_cube(Figures("04_projection", "04.8"), "04.8_with_depth.png",
+              {.view = look_at({2.6, 1.8, 3.6}, {0, 0, 0}, {0, 1, 0}),
+               .projection = perspective(45, 1, 0.1, 20)});
+}
+
+/// Four times four squares in two colours, in the plane y = 0.
+Mesh checkered_floor() {
+  Mesh floor;
+  for (int square = 0; square < 16; ++square) {
+    const float left = static_cast<float>(square % 4) / 2 - 1;
+    const float back = static_cast<float>(square / 4) / 2 - 1;
+    const auto first = static_cast<std::uint32_t>(floor.positions.size());
+    for (const auto& [x, z] : {std::pair{0.0F, 0.0F}, {0.0F, 0.5F}, {0.5F, 0.5F}, {0.5F, 0.0F}}) {
+      floor.positions.emplace_back(left + x, 0, back + z);
+      const bool orange = (square % 4 + square / 4) % 2 == 0;
+      floor.colors.push_back(orange ? Color(0.95F, 0.6F, 0.2F) : Color(0.2F, 0.35F, 0.6F));
+    }
+    floor.triangles.push_back({first, first + 1, first + 2});
+    floor.triangles.push_back({first, first + 2, first + 3});
+  }
+  return floor;
+}
+
+TEST(stage04_figures, a_floor_that_reaches_behind_the_eye) {
+  expect_figure("04.9_homogeneous.png", Figures("04_projection", "04.9")("04.9_homogeneous.png"),
+                {.mesh = checkered_floor(),
+                 .camera = {.view = look_at({0.1, 0.1, 0.35}, {0.13, 0, 0.1}, {0, 1, 0}),
+                            .projection = perspective(80, 1.5, 0.0005, 20)}},
+                &vertex_color);
 }
 
 }  // namespace

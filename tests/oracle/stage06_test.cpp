@@ -1,6 +1,7 @@
 // The pictures of stage 06 against the ray caster: textures and light in double precision.
 #include "common/image/files.h"
 #include "common/mesh/read_mesh.h"
+#include "common/mesh/shapes.h"
 
 #include "tests/oracle/geometry_cases.h"
 #include "tests/oracle/shading.h"
@@ -8,6 +9,8 @@
 #include "tests/oracle/texturing.h"
 #include "tests/support/places.h"
 #include "tests/support/scratch.h"
+
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -103,6 +106,71 @@ TEST(stage06_witness, real_textured_models_are_the_same) {
     for (const std::string filter : {"trilinear", "anisotropic"}) {
       EXPECT_GT(compare_textured(geometry, folder / texture, filter, "repeat").drawn, 1000);
     }
+  }
+}
+
+// --- The exercises' own figures ---
+
+/// A figure by one texture, lit or not.
+void expect_textured_figure(const std::string& file, const Image<Rgb8>& figure,
+                            const FigureScene& scene, const fs::path& texture_file,
+                            const std::string& filter, const std::optional<Lighting>& lighting) {
+  const RayCaster witness(scene.mesh, scene.camera, figure.width(), figure.height(), scene.cull);
+  const Surface surface(scene.mesh);
+  const DeepTexture texture(read_image<Rgb8>(texture_file));
+  const Agreement agreement =
+      compare_colors(witness, figure, [&](double x, double y, const Hit& hit) {
+        Shade shade = sample(texture, filter, "repeat", steps_at(witness, surface, x, y, hit.face));
+        if (!lighting) return shade;
+        Shade lit = light_point(*lighting, surface.position(hit), surface.normal(hit), shade.color);
+        lit.key.insert(lit.key.end(), shade.key.begin(), shade.key.end());
+        lit.at_jump = shade.at_jump;
+        return lit;
+      });
+  std::cout << file << ": " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << file << ": " << agreement;
+  EXPECT_GT(agreement.drawn, 10000) << file;
+}
+
+TEST(stage06_figures, the_planet) {
+  const Eigen::Vector3d eye(0, 1.2, 3);
+  expect_textured_figure("06.2_planet.png", Figures("06_texture", "06.2")("06.2_planet.png"),
+                         {.mesh = make_shape("uv_sphere:64"),
+                          .camera = {.view = look_at(eye, {0, 0, 0}, {0, 1, 0}),
+                                     .projection = perspective(40, 1, 0.1, 20)},
+                          .cull = Cull::back},
+                         source_folder() / "data/planet_color.png", "trilinear",
+                         Lighting{.light = {-1, 1, 1, 0},
+                                  .ambient = 0.1,
+                                  .diffuse = 1,
+                                  .specular = 0.3,
+                                  .shininess = 20,
+                                  .eye = eye.homogeneous()});
+}
+
+TEST(stage06_figures, the_wall_after) {
+  expect_textured_figure("06.3_exact.png", Figures("06_texture", "06.3")("06.3_exact.png"),
+                         {.mesh = read_mesh(source_folder() / "data/wall.off"),
+                          .camera = {.view = look_at({-4.6, 0.3, 2.6}, {-1.6, 0, 0}, {0, 1, 0}),
+                                     .projection = perspective(45, 4.0 / 3, 0.1, 20)}},
+                         source_folder() / "data/brick.png", "bilinear", std::nullopt);
+}
+
+// Toward the horizon a pixel spans a hundred texels, and the floor is cut behind the eye. So much
+// does the 1/512 px count by which snapping moves a cut that samples of the finest level differ:
+// bilinear and anisotropic ones are compared where texels are larger, in stage06_witness_of.
+TEST(stage06_figures, the_floor_to_the_horizon) {
+  const Figures figures("06_texture", "06.4");
+  Mesh floor = make_shape("grid:1");
+  for (Eigen::Vector2f& uv : floor.texture_coordinates) uv *= 200;
+  for (Eigen::Vector3f& position : floor.positions) position *= 200;
+  for (const std::string filter : {"nearest", "mip-mapped", "trilinear"}) {
+    const std::string file = "06.4_" + filter + ".png";
+    expect_textured_figure(file, figures(file),
+                           {.mesh = floor,
+                            .camera = {.view = look_at({0, 1, 0}, {0.3, 0.8, -1}, {0, 1, 0}),
+                                       .projection = perspective(50, 1.5, 0.1, 1000)}},
+                           source_folder() / "data/checker.png", filter, std::nullopt);
   }
 }
 

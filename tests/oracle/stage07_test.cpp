@@ -1,6 +1,7 @@
 // The pictures of stage 07 against the ray caster: every shader, in double precision.
 #include "common/image/files.h"
 #include "common/mesh/read_mesh.h"
+#include "common/mesh/shapes.h"
 #include "common/shaders/culled.h"
 #include "common/shaders/draw_shaded.h"
 #include "common/shaders/shaders.h"
@@ -260,6 +261,142 @@ TEST(stage07_witness, real_textured_models_show_the_same) {
       EXPECT_GT(agreement.drawn, 1000);
     }
   }
+}
+
+// --- The exercises' own figures ---
+
+/// The planet of stage 07's figures, or what is left of it; its maps, whatever is painted on it.
+class PlanetFigure {
+ public:
+  PlanetFigure(Mesh mesh, const Eigen::Vector3d& eye, const Lighting& lighting, int side,
+               Cull cull = Cull::none)
+      : mesh_(std::move(mesh)),
+        witness_(
+            mesh_,
+            {.view = look_at(eye, {0, 0, 0}, {0, 1, 0}), .projection = perspective(40, 1, 0.1, 20)},
+            side, side, cull),
+        surface_(mesh_),
+        lighting_(lighting) {
+    lighting_.eye = eye.homogeneous();
+  }
+
+  void expect(const std::string& file, const Image<Rgb8>& figure, const std::string& look) const {
+    const ShadedScene scene{witness_, surface_, lighting_, maps(), "trilinear"};
+    const Agreement agreement =
+        compare_colors(witness_, figure, [&](double x, double y, const Hit& hit) {
+          return look == "lattice" ? see_through_lattice(scene, x, y)
+                                   : shade_look(look_named(look), scene, x, y, hit);
+        });
+    expect_agreement(file, agreement);
+    EXPECT_GT(agreement.drawn, 1000) << file;
+  }
+
+  static Mesh colored(int subdivision) {
+    Mesh mesh = make_shape("uv_sphere", subdivision);
+    for (const Eigen::Vector3f& position : mesh.positions) {
+      mesh.colors.push_back((position + Eigen::Vector3f::Ones()) / 2);
+    }
+    return mesh;
+  }
+
+  static Mesh in_one_color(const std::string& shape, const Eigen::Vector3f& color) {
+    Mesh mesh = make_shape(shape);
+    mesh.colors.assign(mesh.positions.size(), color);
+    return mesh;
+  }
+
+ private:
+  static const Maps& maps() {
+    const auto read = [](const char* file) {
+      return DeepTexture(read_image<Rgb8>(source_folder() / "data" / file));
+    };
+    static const Maps all{read("planet_color.png"), read("planet_normal_tangent.png"),
+                          read("planet_specular.png")};
+    return all;
+  }
+
+  Mesh mesh_;
+  RayCaster witness_;
+  Surface surface_;
+  Lighting lighting_;
+};
+
+const Lighting from_the_left{
+    .light = {-1, 0.7, 1, 0}, .ambient = 0.1, .diffuse = 1, .specular = 0.5, .shininess = 30};
+
+/// One of the pictures of a sheet of two by two.
+Image<Rgb8> quarter(const Image<Rgb8>& sheet, int side, int column, int row) {
+  Image<Rgb8> cell(side, side);
+  const int step = sheet.width() - side;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) cell(x, y) = sheet(column * step + x, row * step + y);
+  }
+  return cell;
+}
+
+TEST(stage07_figures, flat_and_gouraud_with_and_without_a_texture) {
+  const Image<Rgb8> sheet = Figures("07_shaders", "07.2")("07.2_four_shaders.png");
+  const PlanetFigure figure(PlanetFigure::in_one_color("uv_sphere:12", {1, 1, 1}), {0, 1, 3},
+                            from_the_left, 240);
+  figure.expect("flat", quarter(sheet, 240, 0, 0), "flat");
+  figure.expect("flat textured", quarter(sheet, 240, 1, 0), "flat_texture");
+  figure.expect("Gouraud", quarter(sheet, 240, 0, 1), "gouraud");
+  figure.expect("Gouraud textured", quarter(sheet, 240, 1, 1), "gouraud_texture");
+}
+
+TEST(stage07_figures, five_levels) {
+  const Figures figures("07_shaders", "07.3");
+  const PlanetFigure figure(PlanetFigure::in_one_color("torus_knot:24", {1, 0.6F, 0}),
+                            {0, 1.2, 2.8}, from_the_left, 360);
+  figure.expect("07.3_gouraud.png", figures("07.3_gouraud.png"), "gouraud");
+  figure.expect("07.3_quantized.png", figures("07.3_quantized.png"), "quantized");
+}
+
+TEST(stage07_figures, a_bowl_culled) {
+  const Figures figures("07_shaders", "07.5");
+  Mesh bowl = PlanetFigure::colored(24);
+  std::erase_if(bowl.triangles, [&](const Mesh::Triangle& triangle) {
+    return bowl.positions[triangle[0]].y() > 0.4F;
+  });
+  Lighting lighting = from_the_left;
+  lighting.ambient = lighting.diffuse = lighting.specular = 0.6;
+  lighting.shininess = 128;
+  for (const auto& [file, cull] : {std::pair{"07.5_none.png", Cull::none},
+                                   {"07.5_back.png", Cull::back},
+                                   {"07.5_front.png", Cull::front}}) {
+    PlanetFigure(bowl, {0, 1.4, 2.8}, lighting, 240, cull).expect(file, figures(file), "phong");
+  }
+}
+
+TEST(stage07_figures, phong_with_the_courses_parameters) {
+  const Image<Rgb8> sheet = Figures("07_shaders", "07.6")("07.6_four_shaders.png");
+  const Mesh planet = PlanetFigure::in_one_color("uv_sphere:32", {1, 128 / 255.0F, 1});
+  Lighting lighting{.light = {0, 0, 1, 0}, .ambient = 0.1, .diffuse = 1, .specular = 0.5};
+  lighting.shininess = 10;
+  PlanetFigure(planet, {0, 1, 3}, lighting, 240)
+      .expect("Phong", quarter(sheet, 240, 0, 0), "phong");
+  lighting.specular = 1;
+  PlanetFigure(planet, {0, 1, 3}, lighting, 240)
+      .expect("Phong texture", quarter(sheet, 240, 0, 1), "phong_texture");
+}
+
+TEST(stage07_figures, every_shader_alone) {
+  const Figures figures("07_shaders", "07.7");
+  const PlanetFigure figure(PlanetFigure::colored(24), {0, 1, 3}, from_the_left, 240);
+  for (const ShaderLook& look : shader_looks()) {
+    if (look.normal_mapped()) continue;
+    const std::string file = "07.7_" + look.name + ".png";
+    figure.expect(file, figures(file), look.name);
+  }
+  figure.expect("07.7_lattice.png", figures("07.7_lattice.png"), "lattice");
+}
+
+TEST(stage07_figures, phong_at_every_pixel) {
+  const Lighting lighting{.light = {-1, 0.7, 1, 0}};
+  PlanetFigure(PlanetFigure::in_one_color("torus_knot:8", {0.9F, 0.7F, 0.5F}), {0, 1.2, 2.8},
+               lighting, 360)
+      .expect("07.8_per_fragment.png", Figures("07_shaders", "07.8")("07.8_per_fragment.png"),
+              "phong");
 }
 
 }  // namespace
