@@ -1,0 +1,126 @@
+#include "bench/engine_ladders/skips.h"
+
+#include "common/engine/renderer.h"
+
+#include "bench/engine/bench_shaders.h"
+#include "bench/engine/scenes.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace rasterlab::bench {
+namespace {
+
+constexpr int width = 1920;
+constexpr int height = 1080;
+
+struct Switch {
+  const char* name;
+  bool Skips::*skip;
+};
+
+/// Those that this engine has: the newer ones are not in every state of it.
+template <class Options = Skips>
+std::vector<Switch> switches() {
+  std::vector<Switch> all = {{"outside", &Options::outside}};
+  if constexpr (requires { &Options::facing_away; })
+    all.push_back({"facing away", &Options::facing_away});
+  if constexpr (requires { &Options::hidden; }) all.push_back({"hidden", &Options::hidden});
+  if constexpr (requires { &Options::hidden_clusters; })
+    all.push_back({"hidden clusters", &Options::hidden_clusters});
+  if constexpr (requires { &Options::hidden_triangles; })
+    all.push_back({"hidden triangles", &Options::hidden_triangles});
+  all.push_back({"front to back", &Options::front_to_back});
+  return all;
+}
+
+Skips nothing() {
+  Skips skips;
+  for (const Switch& one : switches()) skips.*one.skip = false;
+  return skips;
+}
+
+/// A scene, and the engine that draws it with some skips, on one thread.
+class SkippingDrawing {
+ public:
+  SkippingDrawing(std::shared_ptr<const Scene> scene, std::shared_ptr<const PreparedMesh> mesh,
+                  const Skips& skips)
+      : scene_(std::move(scene)),
+        mesh_(std::move(mesh)),
+        shader_{{.eye = scene_->eye}},
+        renderer_({.threads = 1, .skip = skips}),
+        frame_(width, height) {}
+
+  const Framebuffer& draw() {
+    frame_.clear();
+    renderer_.draw({.mesh = mesh_.get(),
+                    .matrix = scene_->matrix,
+                    .cull = Cull::back,
+                    .shading = shading(shader_)},
+                   frame_);
+    return frame_;
+  }
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const PreparedMesh> mesh_;
+  PhongShader shader_;
+  Renderer renderer_;
+  Framebuffer frame_;
+};
+
+struct Picture {
+  Image<Rgb8> color;
+  Image<std::int32_t> ids;
+  Image<float> depth;
+
+  explicit Picture(const Framebuffer& frame)
+      : color(frame.color()), ids(frame.ids()), depth(frame.depth()) {}
+};
+
+/// Pixels of a million that are not the same, in colour, triangle or depth.
+Errors difference(const Picture& a, const Picture& b) {
+  double different = 0;
+  for (std::size_t i = 0; i < a.color.pixels().size(); ++i) {
+    const bool same = a.color.pixels()[i] == b.color.pixels()[i] &&
+                      a.ids.pixels()[i] == b.ids.pixels()[i] &&
+                      a.depth.pixels()[i] == b.depth.pixels()[i];
+    different += same ? 0 : 1;
+  }
+  return {{"different pixels per million",
+           1e6 * different / static_cast<double>(a.color.pixels().size())}};
+}
+
+}  // namespace
+
+TimedLadder skip_ladder(const std::string& name) {
+  const auto entry = std::find_if(scenes().begin(), scenes().end(),
+                                  [&](const SceneEntry& one) { return one.name == name; });
+  const auto scene = std::make_shared<const Scene>(entry->make(static_cast<float>(width) / height));
+  const auto mesh = std::make_shared<const PreparedMesh>(scene->mesh);
+  TimedLadder ladder{.name = "skipping, " + name,
+                     .stage = "engine",
+                     .unit = "pixel of the picture",
+                     .units = width * height,
+                     .error = "different pixels per million",
+                     .rungs = {}};
+  const Picture truth(SkippingDrawing(scene, mesh, nothing()).draw());
+  const auto add = [&](const std::string& rung, const Skips& skips) {
+    const auto drawing = std::make_shared<SkippingDrawing>(scene, mesh, skips);
+    ladder.rungs.push_back({.name = rung,
+                            .fault = "none",
+                            .work = [drawing] { drawing->draw(); },
+                            .errors = difference(Picture(drawing->draw()), truth)});
+  };
+  add("nothing skipped", nothing());
+  for (const Switch& one : switches()) {
+    Skips skips;
+    skips.*one.skip = false;
+    add(std::string("all but ") + one.name, skips);
+  }
+  add("all", Skips());
+  return ladder;
+}
+
+}  // namespace rasterlab::bench
