@@ -44,7 +44,7 @@ TEST_F(cli_bench, help_names_every_flag) {
     const ProcessResult result = run(bench, {"--help"}, scratch_.path());
     EXPECT_EQ(result.exit_status, 0) << bench;
     EXPECT_EQ(result.err, "") << bench;
-    for (const char* flag : {"--help", "--quick", "--out"})
+    for (const char* flag : {"--help", "--quick", "--out", "--ladder"})
       EXPECT_THAT(result.out, testing::HasSubstr(flag)) << bench;
   }
 }
@@ -56,6 +56,7 @@ TEST_F(cli_bench, bad_usage_and_bad_places_are_refused) {
     expect_refusal(bench, {"--out"}, 2);
     expect_refusal(bench, {"--quick", "--out", "/proc/rasterlab"}, 1);
   }
+  expect_refusal(benches().back(), {"--quick", "--ladder", "none is called so"}, 1);
 }
 
 TEST_F(cli_bench, measures_every_rung_and_the_page_shows_each_ladder) {
