@@ -152,7 +152,9 @@ inline bool is_cut(const ClipPolygon& polygon, const ClipTriangle& triangle) {
 /// Calls `visit(const TrianglePixel&)` once for every pixel of a width × height picture that the
 /// triangle, its corners in clip space, covers between the near and the far plane. Two triangles
 /// that share an edge cover each pixel along it once, wherever their corners are. Corners may be
-/// any floats. `counts` is added to.
+/// any floats. Of a pixel whose depth is the far plane's up to rounding, of the largest depth at a
+/// corner of what is left of the triangle, either may be said: the engine rounds differently.
+/// `counts` is added to.
 template <class Visit>
 void for_each_pixel(const ClipTriangle& triangle, int width, int height,
                     const TriangleOptions& options, TriangleCounts& counts, Visit&& visit) {

@@ -7,8 +7,21 @@
 
 namespace rasterlab {
 
-/// The attribute of one triangle's corners, in [0, 1]; its colour is the number 2^24 · value in
-/// three bytes, the highest first.
+/// A number in [0, 1] as the colour (2^24 − 1) · number in three bytes, the highest first; off by
+/// 1.5 at the most.
+template <class Number>
+Vector3<Number> encode(const Number& number) {
+  constexpr float largest = 16777215;
+  const Number code =
+      minimum(round_down(Number(number * Number(largest) + Number(0.5F))), Number(largest));
+  const Number high = round_down(Number(code * Number(1.0F / 65536)));
+  const Number rest = code - high * Number(65536);
+  const Number middle = round_down(Number(rest * Number(1.0F / 256)));
+  const Number low = rest - middle * Number(256);
+  return {high / Number(255), middle / Number(255), low / Number(255)};
+}
+
+/// The attribute of one triangle's corners, in [0, 1], encoded.
 struct EncodeShader {
   std::array<float, 3> at_corner;
 
@@ -23,12 +36,7 @@ struct EncodeShader {
 
   template <class Number>
   Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
-    const Number code = round_down(Number(point.value.value * Number(16777215.0F) + Number(0.5F)));
-    const Number high = round_down(Number(code * Number(1.0F / 65536)));
-    const Number rest = code - high * Number(65536);
-    const Number middle = round_down(Number(rest * Number(1.0F / 256)));
-    const Number low = rest - middle * Number(256);
-    return {high / Number(255), middle / Number(255), low / Number(255)};
+    return encode(point.value.value);
   }
 };
 

@@ -1,5 +1,6 @@
 // Which pixels triangles cover, in a picture of 256 × 256: against 128-bit integers.
 #include "common/engine/renderer.h"
+#include "common/triangles/coverage.h"
 #include "common/triangles/rasterize.h"
 
 #include "tests/oracle/exact_triangle.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace rasterlab::stress {
 namespace {
@@ -15,7 +17,7 @@ constexpr int side = 256;
 constexpr std::size_t per_triangle = 6;
 using Triangle = std::array<Eigen::Vector2f, 3>;
 
-struct Coverage {
+struct Covered {
   Image<int> count = Image<int>(side, side, 0);   ///< how many triangles cover a pixel
   Image<int> first = Image<int>(side, side, -1);  ///< the first of them
 
@@ -52,12 +54,15 @@ Box box_of(const Triangle& t) {
           pixel(std::max({t[0].y(), t[1].y(), t[2].y()}), 2)};
 }
 
-Coverage true_coverage(const std::vector<Triangle>& triangles, Verdict& verdict) {
-  Coverage truth;
+Corners corners_of(const Triangle& t) {
+  return {t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>()};
+}
+
+Covered true_coverage(const std::vector<Triangle>& triangles, Verdict& verdict) {
+  Covered truth;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
-    const oracle::GridTriangle exact =
-        oracle::to_grid({t[0].cast<double>(), t[1].cast<double>(), t[2].cast<double>()});
+    const oracle::GridTriangle exact = oracle::to_grid(corners_of(t));
     const Box box = box_of(t);
     for (int y = box.top; y < box.bottom; ++y) {
       for (int x = box.left; x < box.right; ++x) {
@@ -69,14 +74,38 @@ Coverage true_coverage(const std::vector<Triangle>& triangles, Verdict& verdict)
   return truth;
 }
 
-Coverage exercise_coverage(const std::vector<Triangle>& triangles) {
-  Coverage coverage;
+Covered exercise_coverage(const std::vector<Triangle>& triangles) {
+  Covered coverage;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     rasterize_triangle(triangles[i], side, side, [&](int x, int y, const Eigen::Vector3d&) {
       coverage.add(x, y, static_cast<int>(i));
     });
   }
   return coverage;
+}
+
+Covered coverage_by(FillTriangle fill, const std::vector<Triangle>& triangles) {
+  Covered covered;
+  Image<Rgb8> scratch(side, side);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for_each_drawn_pixel(fill, corners_of(triangles[i]), scratch,
+                         [&](int x, int y) { covered.add(x, y, static_cast<int>(i)); });
+  }
+  return covered;
+}
+
+/// How many pixels are covered too often or not often enough by each rung of the ladder but the
+/// last.
+void measure_rungs(const std::vector<Triangle>& triangles, const Covered& truth,
+                   std::int64_t samples, Verdict& verdict) {
+  for (const FillRung& rung : std::span(fill_ladder).first(fill_ladder.size() - 1)) {
+    const Covered found = coverage_by(rung.fill, triangles);
+    std::int64_t wrong = 0;
+    for (std::size_t i = 0; i < found.count.pixels().size(); ++i) {
+      wrong += std::abs(found.count.pixels()[i] - truth.count.pixels()[i]);
+    }
+    verdict.measure(rung.name, samples, wrong);
+  }
 }
 
 /// Window coordinates that are multiples of 1/256 px and within the guard band reach the engine
@@ -111,24 +140,34 @@ std::string at(int x, int y) {
   return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")";
 }
 
-/// The exercise's last rung covers each pixel as often as it should, and the engine shows the first
-/// triangle there.
-Coverage check_coverage(const std::vector<Triangle>& triangles, Verdict& verdict) {
-  Coverage truth = true_coverage(triangles, verdict);
-  const Coverage exercise = exercise_coverage(triangles);
-  const bool with_engine = exact_in_engine(triangles);
-  const Image<std::int32_t> ids =
-      with_engine ? engine_ids(triangles) : Image<std::int32_t>(side, side, -1);
+/// The samples have been counted with the truth.
+void expect_same(const Covered& found, const Covered& truth, Verdict& verdict) {
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const int wanted = truth.count.row(y)[x];
-      const int found = exercise.count.row(y)[x];
-      if (found != wanted) {
-        verdict.expect(false, [&] {
-          return at(x, y) + " is covered " + std::to_string(found) + " times, not " +
-                 std::to_string(wanted);
-        });
-      }
+      const int times = found.count.row(y)[x];
+      if (times == wanted) continue;
+      verdict.expect(false, [&] {
+        return at(x, y) + " is covered " + std::to_string(times) + " times, not " +
+               std::to_string(wanted);
+      });
+    }
+  }
+}
+
+/// The exercise's last rung covers each pixel as often as it should, and the engine shows the first
+/// triangle there.
+Covered check_coverage(const std::vector<Triangle>& triangles, Verdict& verdict) {
+  const std::int64_t samples_before = verdict.samples;
+  Covered truth = true_coverage(triangles, verdict);
+  measure_rungs(triangles, truth, verdict.samples - samples_before, verdict);
+  const Covered exercise = exercise_coverage(triangles);
+  const bool with_engine = exact_in_engine(triangles);
+  const Image<std::int32_t> ids =
+      with_engine ? engine_ids(triangles) : Image<std::int32_t>(side, side, -1);
+  expect_same(exercise, truth, verdict);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
       if (with_engine && ids.row(y)[x] != truth.first.row(y)[x]) {
         verdict.expect(false, [&] {
           return "the engine shows triangle " + std::to_string(ids.row(y)[x]) + " at " + at(x, y) +
@@ -186,6 +225,11 @@ Numbers collinear(Random& random) {
       const auto steps = static_cast<double>(random.whole(-100, 100));
       push(numbers, x + steps * dx, y + steps * dy);
     }
+    if (random.chance(0.3)) {  // a vertex repeated, two or three times
+      const auto last = numbers.end() - 2;
+      std::copy(last, numbers.end(), last - 2);
+      if (random.chance(0.3)) std::copy(last, numbers.end(), last - 4);
+    }
   }
   return numbers;
 }
@@ -197,7 +241,7 @@ void check_nothing_covered(const Numbers& numbers, Verdict& verdict) {
     const Eigen::Vector2d b = (t[2] - t[0]).cast<double>();
     if (a.x() * b.y() != a.y() * b.x()) return;  // another family's
   }
-  const Coverage truth = check_coverage(triangles, verdict);
+  const Covered truth = check_coverage(triangles, verdict);
   for (const int count : truth.count.pixels()) {
     verdict.expect(count == 0, [] { return "a triangle without area covers a pixel"; });
   }
@@ -245,7 +289,7 @@ void check_fan(const Numbers& numbers, Verdict& verdict) {
     triangles.push_back(
         {center.cast<float>(), spoke(angles[i]), spoke(angles[(i + 1) % angles.size()])});
   }
-  const Coverage truth = check_coverage(triangles, verdict);
+  const Covered truth = check_coverage(triangles, verdict);
   verdict.expect(truth.count(static_cast<int>(center.x()), static_cast<int>(center.y())) == 1,
                  [] { return "the sample all triangles meet in is not covered once"; });
   for (const int count : truth.count.pixels()) {
@@ -299,7 +343,7 @@ void check_grid(const Numbers& numbers, Verdict& verdict) {
     }
   }
   check_coverage(triangles, verdict);
-  const Coverage drawn = exercise_coverage(triangles);
+  const Covered drawn = exercise_coverage(triangles);
   const auto grid_last = static_cast<int>(grid_first + cell * cells);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
@@ -317,6 +361,42 @@ Numbers far_away(Random& random) {
     for (int c = 0; c < 6; ++c) numbers.push_back(snapped(random.number(-reach, reach)));
   }
   return numbers;
+}
+
+Numbers far_beyond(Random& random) {
+  Numbers numbers;
+  for (int i = 0; i < 20; ++i) {
+    const double reach = random.pick({4e4, 1e7, 0x1p30, 1e30, 0x1p124});  // the last: FLT_MAX/16
+    for (int c = 0; c < 6; ++c) {
+      const bool near = random.chance(0.3);
+      numbers.push_back(near ? snapped(random.number(0, side)) : random.number(-reach, reach));
+    }
+  }
+  return numbers;
+}
+
+/// What takes any coordinates to ±2^30 px, and refuses what is beyond.
+void check_far_beyond(const Numbers& numbers, Verdict& verdict) {
+  std::vector<Triangle> in_range;
+  Covered found;
+  for (const Triangle& t : triangles_of(numbers)) {
+    bool refused = false;
+    try {
+      const auto index = static_cast<int>(in_range.size());
+      rasterize_wide_triangle(corners_of(t), side, side,
+                              [&](int x, int y, const auto&) { found.add(x, y, index); });
+      in_range.push_back(t);
+    } catch (const CheckError&) {
+      refused = true;
+    }
+    verdict.expect(refused != within(t, max_wide_coordinate), [&] {
+      return std::string("a triangle is ") + (refused ? "" : "not ") + "refused";
+    });
+  }
+  const std::int64_t samples_before = verdict.samples;
+  const Covered truth = true_coverage(in_range, verdict);
+  expect_same(found, truth, verdict);
+  measure_rungs(in_range, truth, verdict.samples - samples_before, verdict);
 }
 
 }  // namespace
@@ -338,6 +418,11 @@ std::vector<Family> coverage_families() {
        check_grid},
       {"far_away", exact + ", with coordinates to ±32768 px", per_triangle, 0, far_away,
        check_triangles},
+      {"far_beyond",
+       "wide edge functions cover exactly the samples that 128-bit integers say with coordinates "
+       "to "
+       "±2^30 px, and refuse those of 1e30 and FLT_MAX/16",
+       per_triangle, 0, far_beyond, check_far_beyond},
   };
 }
 

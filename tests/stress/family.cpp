@@ -16,8 +16,8 @@ namespace rasterlab::stress {
 const std::vector<Family>& families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> list;
-    for (const auto& part : {coverage_families(), clipping_families(), precision_families(),
-                             transform_families(), shading_families()}) {
+    for (const auto& part : {coverage_families(), clipping_families(), mesh_families(),
+                             precision_families(), transform_families(), shading_families()}) {
       list.insert(list.end(), part.begin(), part.end());
     }
     return list;
@@ -31,7 +31,9 @@ const Family& family_named(const std::string& name) {
     if (family.name == name) return family;
     names += (names.empty() ? "" : ", ") + family.name;
   }
-  throw InputError("no family is called \"" + name + "\"; there are " + names);
+  const auto replace = nlohmann::json::error_handler_t::replace;  // what is no UTF-8
+  throw InputError("no family is called " + nlohmann::json(name).dump(-1, ' ', true, replace) +
+                   "; there are " + names);
 }
 
 Verdict check(const Family& family, const Numbers& numbers) {
@@ -118,7 +120,9 @@ double number_of(const nlohmann::json& text) {
   const auto string = text.get<std::string>();
   char* end = nullptr;
   const double number = std::strtod(string.c_str(), &end);
-  if (string.empty() || *end != '\0') throw InputError("\"" + string + "\" is not a number");
+  if (string.empty() || end != string.c_str() + string.size()) {
+    throw InputError("expected numbers as 0x1.8p+3, not " + text.dump());
+  }
   return number;
 }
 
@@ -140,14 +144,17 @@ void save_case(const std::filesystem::path& path, const Family& family, const Nu
 }
 
 SavedCase load_case(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
   try {
-    const nlohmann::json saved = nlohmann::json::parse(read_file(path));
+    const nlohmann::json saved = nlohmann::json::parse(text);
     SavedCase loaded = {&family_named(saved.at("family").get<std::string>()), {}};
     for (const nlohmann::json& number : saved.at("numbers")) {
       loaded.numbers.push_back(number_of(number));
     }
     return loaded;
   } catch (const nlohmann::json::exception& error) {
+    throw InputError(path.string() + ": not a saved case: " + error.what());
+  } catch (const InputError& error) {
     throw InputError(path.string() + ": not a saved case: " + error.what());
   }
 }

@@ -4,9 +4,11 @@
 
 #include "tests/stress/random.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,12 +17,24 @@ namespace rasterlab::stress {
 /// A case is nothing but numbers, so that any can be written to a file, read back and made simpler.
 using Numbers = std::vector<double>;
 
+/// How often an approximate rung of a ladder is wrong in a family's cases: it promises nothing, so
+/// this is its error and no violation.
+struct RungError {
+  std::int64_t samples = 0;
+  std::int64_t wrong = 0;
+
+  double per_million() const {
+    return samples == 0 ? 0 : 1e6 * static_cast<double>(wrong) / static_cast<double>(samples);
+  }
+};
+
 /// What checking cases has shown.
 struct Verdict {
   std::int64_t samples = 0;  ///< how many single facts were compared with the oracle
   std::int64_t violations = 0;
   std::string first;       ///< the first violation, in words
   double worst_error = 0;  ///< for families that measure one: as a part of what is allowed
+  std::map<std::string, RungError> rungs;  ///< by name
 
   /// Counts a sample; `words()` says what was found where the contract does not hold.
   template <class Words>
@@ -35,6 +49,20 @@ struct Verdict {
   void expect_error(double error, double allowed, Words&& words) {
     worst_error = error / allowed > worst_error ? error / allowed : worst_error;
     expect(error <= allowed, words);
+  }
+
+  void measure(const std::string& rung, std::int64_t compared, std::int64_t wrong) {
+    rungs[rung].samples += compared;
+    rungs[rung].wrong += wrong;
+  }
+
+  /// Adds what further cases have shown.
+  void add(const Verdict& more) {
+    samples += more.samples;
+    violations += more.violations;
+    if (first.empty()) first = more.first;
+    worst_error = std::max(worst_error, more.worst_error);
+    for (const auto& [rung, error] : more.rungs) measure(rung, error.samples, error.wrong);
   }
 };
 
@@ -52,6 +80,7 @@ struct Family {
 
 std::vector<Family> coverage_families();
 std::vector<Family> clipping_families();
+std::vector<Family> mesh_families();
 std::vector<Family> precision_families();
 std::vector<Family> transform_families();
 std::vector<Family> shading_families();
