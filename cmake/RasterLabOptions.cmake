@@ -33,3 +33,7 @@ if(RASTERLAB_SANITIZERS)
   endforeach()
   add_compile_options(-fno-omit-frame-pointer -fno-sanitize-recover=all)
 endif()
+# Fuzzers are built where both their compiler and the sanitizers are.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND RASTERLAB_SANITIZERS MATCHES "address")
+  set(RASTERLAB_FUZZING ON)
+endif()

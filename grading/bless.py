@@ -6,7 +6,6 @@ tolerance under which a wrong picture would pass: an empty one, a known mistake'
 
 import argparse
 import dataclasses
-import json
 import os
 import pathlib
 import shlex
@@ -14,10 +13,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from typing import Any
 
 from grading import catalogue, manifest, markers
 from grading.errors import GradingError, UsageError
+from grading.fields import field, read_json
 from grading.manifest import ROOT, Exercise
 from grading.ninja import CompiledObject, compiled_objects, included_files, link_command, run_tool
 
@@ -57,15 +56,19 @@ def find_exercise(identity: str) -> Exercise:
     raise UsageError(f"exercise '{identity}': expected an id as 01.5 that is in a stage's exercises.json")
 
 
+def read_recipes(path: pathlib.Path) -> list[Recipe]:
+    """The recipe of each reference picture beside the file."""
+    data = read_json(path, "the recipes of a stage's reference pictures")
+    try:
+        return [Recipe(field(p, "file", str), field(p, "command", str), field(p, "max_difference", float),
+                       field(p, "total_pixels", int), field(p, "why", str)) for p in field(data, "pictures", list)]
+    except GradingError as error:
+        raise GradingError(f"{path}: {error} of each picture") from error
+
+
 def recipes(exercise: Exercise) -> list[Recipe]:
     path = ROOT / exercise.stage / "expected" / "recipes.json"
-    try:
-        pictures: list[dict[str, Any]] = json.loads(path.read_text())["pictures"]
-        found = [Recipe(p["file"], p["command"], float(p["max_difference"]), int(p["total_pixels"]), p["why"])
-                 for p in pictures if p["file"].startswith(exercise.id + "_")]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise GradingError(f"{path}: expected file, command, max_difference, total_pixels and why of each "
-                           f"picture: {error}") from error
+    found = [recipe for recipe in read_recipes(path) if recipe.file.startswith(exercise.id + "_")]
     if not found:
         raise UsageError(f"exercise {exercise.id} has no reference picture; give it a recipe in {path}")
     return found

@@ -2,12 +2,12 @@
 
 import dataclasses
 import functools
-import json
 import pathlib
 import re
 from typing import Any
 
 from grading.errors import GradingError, UsageError
+from grading.fields import field, read_json, strings
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -76,23 +76,31 @@ def path_stage(path: str) -> int:
     return 0
 
 
-def _exercise(stage: str, entry: dict[str, Any]) -> Exercise:
-    known = {field.name for field in dataclasses.fields(Grading)}
-    grading = entry.get("grading", {})
-    if unknown := set(grading) - known:
-        raise GradingError(f"{stage}/exercises.json: {entry['id']}: \"grading\" has {sorted(unknown)}; "
-                           f"expected some of {sorted(known)}")
-    return Exercise(id=entry["id"], stage=stage, title=entry["title"], file=entry["file"],
-                    function=str(entry.get("function", "")), points=float(entry["points"]),
-                    tests=tuple(entry.get("tests", ())), writes=tuple(entry.get("writes", ())),
-                    grading=Grading(**grading))
+def _grading(entry: dict[str, Any]) -> Grading:
+    known = {entry_field.name for entry_field in dataclasses.fields(Grading)}
+    if unknown := set(entry) - known:
+        raise GradingError(f"\"grading\" has {sorted(unknown)}; expected some of {sorted(known)}")
+    usual = Grading()
+    return Grading(by_hand=field(entry, "by_hand", str, usual.by_hand), empty=field(entry, "empty", float, usual.empty),
+                   hidden=field(entry, "hidden", int, usual.hidden),
+                   picture_credit=field(entry, "picture_credit", float, usual.picture_credit))
+
+
+def _exercise(stage: str, entry: Any) -> Exercise:
+    return Exercise(id=field(entry, "id", str), stage=stage, title=field(entry, "title", str),
+                    file=field(entry, "file", str), function=field(entry, "function", str, ""),
+                    points=field(entry, "points", float), tests=strings(entry, "tests"),
+                    writes=strings(entry, "writes"), grading=_grading(field(entry, "grading", dict, {})))
 
 
 @functools.cache
 def exercises(stage: str, root: pathlib.Path = ROOT) -> tuple[Exercise, ...]:
     path = root / stage / "exercises.json"
+    manifest = read_json(path, "a stage's manifest")
+    found: list[Exercise] = []
     try:
-        manifest = json.loads(path.read_text())
-        return tuple(_exercise(stage, entry) for entry in manifest["exercises"])
-    except (OSError, ValueError, KeyError) as error:
-        raise GradingError(f"{path}: expected a stage's manifest: {error}") from error
+        for entry in field(manifest, "exercises", list):
+            found.append(_exercise(stage, entry))
+    except GradingError as error:
+        raise GradingError(f"{path}: exercise {len(found) + 1}: {error}") from error
+    return tuple(found)

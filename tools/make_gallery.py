@@ -24,12 +24,24 @@ class BadInput(Exception):
 def read_manifest(path):
     try:
         exercises = json.loads(path.read_text(encoding="utf-8"))["exercises"]
-        return [{"id": exercise["id"], "title": exercise["title"], "description": exercise.get("description", ""),
-                 "writes": exercise.get("writes", []), "compare": exercise.get("compare", [])}
-                for exercise in exercises]
-    except (ValueError, KeyError, TypeError) as error:
+        entries = [{"id": exercise["id"], "title": exercise["title"], "description": exercise.get("description", ""),
+                    "writes": exercise.get("writes", []), "compare": exercise.get("compare", [])}
+                   for exercise in exercises]
+    except (AttributeError, ValueError, KeyError, RecursionError, TypeError) as error:
         raise BadInput(f"{path}: expected a stage's manifest, {{\"exercises\": [{{\"id\": …, \"title\": …}}]}}: "
                        f"{error!r}") from error
+    for entry in entries:
+        if not all(isinstance(entry[key], str) for key in ("id", "title", "description")):
+            raise BadInput(f"{path}: expected strings as id, title and description of each exercise")
+        if not is_list_of_strings(entry["writes"]):
+            raise BadInput(f"{path}: expected a list of file names in \"writes\" of each exercise")
+        if not isinstance(entry["compare"], list) or not all(is_list_of_strings(pair) for pair in entry["compare"]):
+            raise BadInput(f"{path}: expected a list of lists of file names in \"compare\" of each exercise")
+    return entries
+
+
+def is_list_of_strings(value):
+    return isinstance(value, list) and all(isinstance(item, str) for item in value)
 
 
 def stage_title(folder):

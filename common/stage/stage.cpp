@@ -1,6 +1,7 @@
 #include "common/stage/stage.h"
 
 #include "common/image/check.h"
+#include "common/stage/manifest.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,21 +28,19 @@ Size parse_size(const std::string& text) {
   return size;
 }
 
-const nlohmann::json& manifest_entry(const nlohmann::json& manifest, const std::string& id) {
-  for (const nlohmann::json& entry : manifest.at("exercises")) {
-    if (entry.at("id") == id) return entry;
+const ManifestEntry& entry_with(const std::vector<ManifestEntry>& manifest, const std::string& id) {
+  for (const ManifestEntry& entry : manifest) {
+    if (entry.id == id) return entry;
   }
   throw std::logic_error("exercise " + id + " stands in main.cpp but not in exercises.json");
 }
 
 void print_exercises(const Stage& stage) {
-  const nlohmann::json manifest = nlohmann::json::parse(stage.manifest);
+  const std::vector<ManifestEntry> manifest = parse_manifest(stage.manifest);
   for (const Exercise& exercise : stage.exercises) {
-    const nlohmann::json& entry = manifest_entry(manifest, exercise.id);
-    std::cout << exercise.id << "  " << entry.at("title").get<std::string>() << "\n";
-    for (const nlohmann::json& name : entry.value("writes", nlohmann::json::array())) {
-      std::cout << "        " << name.get<std::string>() << "\n";
-    }
+    const ManifestEntry& entry = entry_with(manifest, exercise.id);
+    std::cout << exercise.id << "  " << entry.title << "\n";
+    for (const std::string& name : entry.writes) std::cout << "        " << name << "\n";
   }
 }
 

@@ -2,6 +2,8 @@
 #include "common/image/files.h"
 #include "common/stage/guard.h"
 
+#include "grading/judge/records.h"
+
 #include <array>
 #include <cstring>
 #include <iostream>
@@ -68,6 +70,10 @@ void write_texts(const fs::path& out) {
   write(out / "scene", "a.scene",
         "cube.off\r\n0 0 -3\n0 0 0\n0 1 0\n# comment\n300\n64 48\n0.3\n1 2 -3 1 0.8\n0.2 0.8 0.6 "
         "20\n");
+  write(out / "manifest", "a.json",
+        R"({"stage": "01_lines", "exercises": [{"id": "01.1", "title": "A", "writes": ["01.1.png"]},
+                                                {"id": "01.2", "title": "B", "points": 1}]})");
+  write(out / "case", "a.json", R"({"family": "slivers", "numbers": ["0x1.8p+3", "-inf", "nan"]})");
   write(out / "rows", "a.txt", "0 0 3 4\n1 2 30 -4.5 255 0 0 # red\n1e3 2 3 4 0 0 0 1 2 3\n");
 }
 
@@ -76,6 +82,18 @@ void write_triangles(const fs::path& out) {
   std::string bytes(sizeof corners, '\0');
   std::memcpy(bytes.data(), corners.data(), sizeof corners);
   write(out / "engine", "a", bytes);
+}
+
+void write_results(const fs::path& out) {
+  fs::create_directories(out / "results");
+  grading::Results results;
+  results.picture("picture", picture());
+  results.values("depths", Image<float>(2, 2, 0.5F), 1e-3);
+  results.coverage("pixels", Image<std::uint8_t>(3, 1, 1), Image<std::uint8_t>(3, 1, 2));
+  results.segment("line", {{0, 0}, {1, 0}, {2, 1}}, {0, 0}, {2, 1}, true);
+  results.numbers("matrix", {1, 0, 0, 1});
+  results.text("words", "yes");
+  results.write(out / "results/a.result");
 }
 
 }  // namespace
@@ -89,6 +107,7 @@ int main(int argc, char** argv) {
     write_meshes(argv[1]);
     write_texts(argv[1]);
     write_triangles(argv[1]);
+    write_results(argv[1]);
     return 0;
   });
 }
