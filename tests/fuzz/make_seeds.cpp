@@ -2,8 +2,6 @@
 #include "common/image/files.h"
 #include "common/stage/guard.h"
 
-#include "grading/judge/records.h"
-
 #include <array>
 #include <cstring>
 #include <iostream>
@@ -84,16 +82,15 @@ void write_triangles(const fs::path& out) {
   write(out / "engine", "a", bytes);
 }
 
+/// What the grader's judge reads: one record of each kind that bytes can spell, and one of numbers.
 void write_results(const fs::path& out) {
-  fs::create_directories(out / "results");
-  grading::Results results;
-  results.picture("picture", picture());
-  results.values("depths", Image<float>(2, 2, 0.5F), 1e-3);
-  results.coverage("pixels", Image<std::uint8_t>(3, 1, 1), Image<std::uint8_t>(3, 1, 2));
-  results.segment("line", {{0, 0}, {1, 0}, {2, 1}}, {0, 0}, {2, 1}, true);
-  results.numbers("matrix", {1, 0, 0, 1});
-  results.text("words", "yes");
-  results.write(out / "results/a.result");
+  write(out / "results", "a.result",
+        "RASTERLAB RESULT 1\npicture 2 1 3 0 0 0 picture\nabcdef\n"
+        "coverage 3 1 1 0 0 0 pixels\n" +
+            std::string("\1\0\0\2\1\0", 6) +
+            "\ntext 0 0 1 3 0 0 words\nyes\n"
+            "numbers 0 0 1 1 0.001 0 matrix\n" +
+            std::string(8, '\0') + "\nend\n");
 }
 
 }  // namespace
