@@ -150,15 +150,32 @@ struct NearTriangle {
   const LargeTriangle* triangle;
 };
 
+/// The pixels of a block that show one triangle.
+struct VisiblePart {
+  std::uint64_t mask;
+  std::int32_t slot;  ///< the triangle's
+};
+
+/// What shading knows of a triangle besides its record (visible_triangles.h).
+struct ShadedTriangle {
+  std::array<double, 3>
+      edges;            ///< edge functions 1 and 2 at the tile's first pixel, twice the area
+  bool is_large;        ///< 32 bits aren't enough for them
+  bool front;           ///< its front is seen
+  bool is_constant;     ///< all corners have the same varyings, so all its pixels …
+  bool is_discarded;    ///< … are discarded or have …
+  std::uint32_t color;  ///< … this colour, packed
+};
+
 /// Room for shading a tile, kept from one to the next (visible_triangles.h).
 struct ShadingScratch {
-  std::vector<std::int32_t> slot;        ///< per pixel: its triangle's place in `key`, or −1
-  std::vector<std::int32_t> block_slot;  ///< per block, when all its pixels have the same slot
-  std::vector<std::uint32_t> key;        ///< triangles that are seen in the tile
-  std::vector<std::uint32_t> clipped;    ///< those of them that had to be clipped
-  std::vector<std::uint32_t> table;      ///< hash table from key to place
-  std::vector<float> record;             ///< per slot: what shading needs to know
-  std::vector<std::array<double, 3>> exact_edges;  ///< per slot, where 32 bits aren't enough
+  std::vector<VisiblePart> part;         ///< block after block
+  std::vector<std::uint32_t> parts_end;  ///< per block
+  std::vector<std::uint32_t> key;        ///< per slot: the triangle that has it
+  std::vector<std::uint32_t> clipped;    ///< slots of triangles that had to be clipped
+  std::vector<std::uint32_t> table;      ///< hash table from key to slot
+  std::vector<float> record;             ///< per slot
+  std::vector<ShadedTriangle> triangle;  ///< per slot
 };
 
 /// What belongs to one thread.

@@ -4,6 +4,9 @@
 // of them set up. Here pixels are shaded, two vectors of them at a time (number_pair.h): what
 // depends on the shader, and is compiled for each.
 //
+// A triangle whose corners have the same varyings looks the same all over: it is shaded once, as if
+// it were a pixel, and painted.
+//
 // A pixel's barycentric weights come from the exact integer edge functions: with q_i = E_i · w0/w_i
 // the perspective-correct weights are q_i / (q_0 + q_1 + q_2), computed in double. They become
 // floats last, so they are right to about a unit in the last place for slivers and for any ratio of
@@ -11,12 +14,14 @@
 #pragma once
 
 #include "common/engine/number_pair.h"
+#include "common/engine/pixel_records.h"
 #include "common/engine/shading.h"
 #include "common/engine/visible_triangles.h"
 #include "common/mesh/shader_types.h"
 
 #include <bit>
 #include <concepts>
+#include <span>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -32,6 +37,7 @@ class TileShading {
 
   void run() {
     triangles_.take_all();
+    shade_constant_triangles();
     for (int block = 0; block < block_count_; ++block) {
       const BlockColors colors = shade_block(block);
       if (colors.mask == 0) continue;
@@ -43,6 +49,7 @@ class TileShading {
   /// For one triangle and a tile of one block: which of the pixels the shader keeps.
   BlockMask keep(std::uint32_t key, BlockMask covered) {
     triangles_.take_one(key, covered);
+    shade_constant_triangles();
     return shade_block(0).kept & covered;
   }
 
@@ -64,118 +71,216 @@ class TileShading {
   }
   static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners};
 
+  using EachRecord = EachRecordOf<corner_varyings.record_size()>;
+
+  template <class Record>
+  static Number at_0(const Record& r, int i) {
+    return r.number(word::count + i);
+  }
+  template <class Record>
+  static Number to_1(const Record& r, int i) {
+    return r.number(word::count + varying_count + i);
+  }
+  template <class Record>
+  static Number to_2(const Record& r, int i) {
+    return r.number(word::count + 2 * varying_count + i);
+  }
+
   // -------------------------------------------------------------------------------------------
   // A block
 
   struct BlockColors {
     BlockMask mask = 0;  ///< of what the triangles cover
     BlockMask kept = 0;  ///< of that, what isn't discarded
-    alignas(64) std::array<std::uint32_t, 64> packed;
+    alignas(64) std::array<std::uint32_t, 64> packed = {};
   };
 
-  /// The records of as many pixels as there are lanes.
-  struct Records {
-    std::array<Number, static_cast<std::size_t>(corner_varyings.record_size())> words;
-    bool any_large;
-
-    Ints integer(int i) const { return bit_pattern(words[static_cast<std::size_t>(i)]); }
-    Number number(int i) const { return words[static_cast<std::size_t>(i)]; }
-    Number at_0(int i) const { return number(word::count + i); }
-    Number to_1(int i) const { return number(word::count + varying_count + i); }
-    Number to_2(int i) const { return number(word::count + 2 * varying_count + i); }
-  };
-
-  [[gnu::flatten]] BlockColors shade_block(int block) const {
+  BlockColors shade_block(int block) const {
     BlockColors colors;
-    const std::int32_t block_slot = triangles_.block_slot(block);
-    if (block_slot == VisibleTriangles::no_slot) return colors;
-    std::array<Records, 2> records;
-    if (block_slot >= 0) take_one(block_slot, records[0]);
+    const std::span<const VisiblePart> parts = triangles_.parts(block);
+    BlockMask varying = 0;
+    for (const VisiblePart& part : parts) {
+      const ShadedTriangle& triangle = triangles_.triangle(part.slot);
+      colors.mask |= part.mask;
+      if (triangle.is_constant) {
+        paint(triangle, part.mask, colors);
+      } else {
+        varying |= part.mask;
+      }
+    }
     for (int first = 0; first < 64; first += 2 * lanes) {
-      std::uint32_t mask = every_lane;
-      std::array<std::int32_t, 2 * lanes> slot;
-      if (block_slot < 0) {
-        mask = find_slots(triangles_.slots(block) + first, slot.data());
-        if (mask == 0) continue;
-        take_each(slot.data(), records[0]);
-        take_each(slot.data() + lanes, records[1]);
-      } else if (records[0].any_large) {
-        slot.fill(block_slot);
-      }
-      const auto seen = [&](std::size_t half) {
-        const int pixel = first + static_cast<int>(half) * lanes;
-        const Records& r = records[block_slot < 0 ? half : 0];
-        return surface_point(r.any_large ? triangles_.exact_edges(block, pixel, &slot[half * lanes])
-                                         : edges_at(block, pixel, r),
-                             r);
-      };
-      const Fragment<NumberPair> fragment = shade(join(seen(0), seen(1)), mask);
-      write_bytes(fragment.color, colors.packed.data() + first);
-      colors.mask |= BlockMask{mask} << first;
-      if constexpr (may_discard<Shader>) {
-        colors.kept |= BlockMask{mask & ~bits_of(fragment.discarded)} << first;
-      }
+      const std::uint32_t wanted = static_cast<std::uint32_t>(varying >> first) & all_pair_lanes;
+      if (wanted == 0) continue;
+      PartsOfVector low = triangles_.parts_of_vector(block, first);
+      PartsOfVector high = triangles_.parts_of_vector(block, first + lanes);
+      // Lanes that see nothing, while others do, see anything.
+      if (low.count == 0) low = high;
+      if (high.count == 0) high = low;
+      const PairColors pair = shade_pair(low, high, wanted);
+      const BlockMask here = BlockMask{wanted} << first;
+      write_pixels(pair.packed.data(), here, first, colors);
+      colors.kept |= here & ~(BlockMask{pair.discarded} << first);
     }
     return colors;
   }
 
-  static constexpr std::uint32_t every_lane = 0xFFFFFFFFU >> (32 - 2 * lanes);
+  /// Beside those of constant triangles.
+  static void write_pixels(const std::uint32_t* packed, BlockMask mask, int first,
+                           BlockColors& colors) {
+    for (int i = 0; i < 2 * lanes; i += lanes) {
+      const Truth here = truth_of(static_cast<std::uint32_t>(mask >> (first + i)) & all_lanes);
+      std::uint32_t* to = colors.packed.data() + first + i;
+      store(select(here, load(packed + i), load(to)), to);
+    }
+  }
+
+  struct PairColors {
+    std::uint32_t discarded = 0;
+    alignas(64) std::array<std::uint32_t, 2 * lanes> packed = {};
+  };
+
+  [[gnu::flatten, gnu::noinline]] PairColors shade_pair(const PartsOfVector& low,
+                                                        const PartsOfVector& high,
+                                                        std::uint32_t wanted) const {
+    PairColors colors;
+    const Fragment<NumberPair> fragment = shade(join(see(low), see(high)), wanted);
+    write_bytes(fragment.color, colors.packed.data());
+    if constexpr (may_discard<Shader>) colors.discarded = bits_of(fragment.discarded);
+    return colors;
+  }
+
+  static constexpr std::uint32_t all_pair_lanes = 0xFFFFFFFFU >> (32 - 2 * lanes);
 
   static std::uint32_t bits_of(TruthPair truth) {
     return bits(truth.low) | bits(truth.high) << lanes;
   }
 
-  /// The slots of two vectors of pixels; which of them are this draw call's. Lanes that aren't
-  /// shade some triangle of it, for nothing.
-  static std::uint32_t find_slots(const std::int32_t* from, std::int32_t* slot) {
-    const auto owned = [&](int first) { return load(from + first) >= Ints(0); };
-    const std::uint32_t mask = bits_of({owned(0), owned(lanes)});
-    if (mask == 0) return 0;
-    const Ints some(from[std::countr_zero(mask)]);
-    for (const int first : {0, lanes}) {
-      store(select(owned(first), load(from + first), some), slot + first);
+  static void paint(const ShadedTriangle& triangle, BlockMask mask, BlockColors& colors) {
+    const Ints color(static_cast<std::int32_t>(triangle.color));
+    for (int first = 0; first < 64; first += lanes) {
+      const Truth here = truth_of(static_cast<std::uint32_t>(mask >> first) & all_lanes);
+      std::uint32_t* packed = colors.packed.data() + first;
+      store(select(here, color, load(packed)), packed);
     }
-    return mask;
+    if (!triangle.is_discarded) colors.kept |= mask;
   }
 
-  /// The same triangle in all lanes.
-  void take_one(std::int32_t slot, Records& records) const {
-    const float* record = triangles_.record(slot);
-    for (std::size_t i = 0; i < records.words.size(); ++i) records.words[i] = Number(record[i]);
-    records.any_large = std::bit_cast<std::int32_t>(record[word::is_large]) != 0;
+  /// Triangles that are the same all over get their colour here, two vectors of them at a time.
+  void shade_constant_triangles() {
+    std::array<std::int32_t, 2 * lanes> slot = {};
+    std::size_t count = 0;
+    for (std::int32_t i = 0; i < triangles_.slot_count(); ++i) {
+      if (!triangles_.triangle(i).is_constant) continue;
+      slot[count++] = i;
+      if (count < slot.size()) continue;
+      shade_constant(slot);
+      count = 0;
+    }
+    if (count > 0) shade_constant(std::span(slot).first(count));
   }
 
-  void take_each(const std::int32_t* slot, Records& records) const {
-    std::array<const float*, lanes> record;
-    for (std::size_t lane = 0; lane < lanes; ++lane) record[lane] = triangles_.record(slot[lane]);
-    for (std::size_t i = 0; i < records.words.size(); i += 4) {
-      load_fours(record.data(), &records.words[i]);
-      for (const float*& from : record) from += 4;
+  void shade_constant(std::span<const std::int32_t> slot) {
+    std::array<PartsOfVector, 2> seen;
+    for (std::size_t i = 0; i < 2 * lanes; ++i) {
+      seen[i / lanes].add(slot[std::min(i, slot.size() - 1)], 1U << i % lanes);
     }
-    records.any_large = any(records.integer(word::is_large) == Ints(1));
+    const std::uint32_t wanted = all_pair_lanes >> (2 * lanes - static_cast<int>(slot.size()));
+    const PairColors colors = shade_pair(seen[0], seen[1], wanted);
+    for (std::size_t i = 0; i < slot.size(); ++i) {
+      ShadedTriangle& triangle = triangles_.triangle(slot[i]);
+      triangle.color = colors.packed[i];
+      triangle.is_discarded = (colors.discarded >> i & 1U) != 0;
+    }
   }
 
   // -------------------------------------------------------------------------------------------
   // What a pixel sees
 
-  Edges edges_at(int block, int first, const Records& r) const {
-    const auto [left, top] = triangles_.place_of_block(block);
-    const Ints pixel = iota(first);
-    const Ints x = (pixel & Ints(7)) + Ints(left);
-    const Ints y = shift_right<3>(pixel) + Ints(top);
-    const auto edge = [&](int at_first, int step_x, int step_y) {
-      return to_doubles(r.integer(at_first) +
-                        shift_left<8>(x * r.integer(step_x) + y * r.integer(step_y)));
-    };
-    return {edge(word::edge1, word::step1_x, word::step1_y),
-            edge(word::edge2, word::step2_x, word::step2_y), to_doubles(r.integer(word::area))};
+  /// Edge functions 1 and 2 and twice the area, exactly.
+  struct Edges {
+    Doubles e1, e2, area;
+  };
+
+  Point<Number> see(const PartsOfVector& seen) const {
+    if (seen.count == 1 && seen.block != PartsOfVector::no_block) {
+      const std::int32_t slot = seen.part[0].slot;
+      const OneRecord record(triangles_, slot);
+      return surface_point(seen.any_large ? large_edges_at(seen, slot) : edges_at(seen, record),
+                           record);
+    }
+    const EachRecord records(triangles_, seen);
+    if (seen.block == PartsOfVector::no_block) return constant_point(records);
+    return surface_point(seen.any_large ? edges_of_each(seen) : edges_at(seen, records), records);
   }
 
-  static Point<Number> surface_point(const Edges& edges, const Records& r) {
+  static Point<Number> constant_point(const EachRecord& records) {
+    const CornerWeights<Number> anywhere = {Number(0), Number(0)};
+    Point<Number> point;
+    interpolate(anywhere, anywhere, anywhere, records, point);
+    point.front_facing = records.front_facing();
+    return point;
+  }
+
+  /// The pixels' columns and rows in the tile.
+  struct Place {
+    Ints x, y;
+  };
+  Place place_of(const PartsOfVector& seen) const {
+    const auto [left, top] = triangles_.place_of_block(seen.block);
+    const Ints pixel = iota(seen.first);
+    return {(pixel & Ints(7)) + Ints(left), shift_right<3>(pixel) + Ints(top)};
+  }
+
+  template <class Record>
+  Edges edges_at(const PartsOfVector& seen, const Record& r) const {
+    const Place place = place_of(seen);
+    const auto edge = [&](int at_first, int step_x, int step_y) {
+      return to_doubles(r.integer(at_first) +
+                        shift_left<8>(place.x * r.integer(step_x) + place.y * r.integer(step_y)));
+    };
+    return {edge(word::edge1, word::step1_x, word::step1_y),
+            edge(word::edge2, word::step2_x, word::step2_y), r.integer_as_doubles(word::area)};
+  }
+
+  Edges large_edges_at(const PartsOfVector& seen, std::int32_t slot) const {
+    const OneRecord record(triangles_, slot);
+    const auto& at_first = triangles_.triangle(slot).edges;
+    const Place place = place_of(seen);
+    const Doubles x = to_doubles(shift_left<8>(place.x));
+    const Doubles y = to_doubles(shift_left<8>(place.y));
+    const auto edge = [&](std::size_t i, int step_x, int step_y) {
+      return Doubles(at_first[i]) +
+             (x * record.integer_as_doubles(step_x) + y * record.integer_as_doubles(step_y));
+    };
+    return {edge(0, word::step1_x, word::step1_y), edge(1, word::step2_x, word::step2_y),
+            Doubles(at_first[2])};
+  }
+
+  /// When some are large.
+  [[gnu::noinline]] Edges edges_of_each(const PartsOfVector& seen) const {
+    alignas(64) std::array<std::array<double, lanes>, 3> each = {};
+    for (const PartOfVector& part : seen.parts()) {
+      const Edges edges = triangles_.triangle(part.slot).is_large
+                              ? large_edges_at(seen, part.slot)
+                              : edges_at(seen, OneRecord(triangles_, part.slot));
+      alignas(64) std::array<std::array<double, lanes>, 3> own;
+      store(edges.e1, own[0].data());
+      store(edges.e2, own[1].data());
+      store(edges.area, own[2].data());
+      for (std::uint32_t rest = part.lanes; rest != 0; rest &= rest - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+        for (std::size_t e = 0; e < 3; ++e) each[e][lane] = own[e][lane];
+      }
+    }
+    return {load(each[0].data()), load(each[1].data()), load(each[2].data())};
+  }
+
+  template <class Record>
+  static Point<Number> surface_point(const Edges& edges, const Record& r) {
     const Number ratio1 = r.number(word::ratio1);
     const Number ratio2 = r.number(word::ratio2);
-    const Doubles q1 = edges.e1 * to_doubles(ratio1);
-    const Doubles q2 = edges.e2 * to_doubles(ratio2);
+    const Doubles q1 = edges.e1 * r.number_as_doubles(word::ratio1);
+    const Doubles q2 = edges.e2 * r.number_as_doubles(word::ratio2);
     const Doubles inverse = Doubles(1) / ((edges.area - (edges.e1 + edges.e2)) + (q1 + q2));
     const CornerWeights<Number> weights = {to_number(q1 * inverse), to_number(q2 * inverse)};
     // (q1 / Q)' = (q1' − b1 · Q') / Q
@@ -192,20 +297,21 @@ class TileShading {
     Point<Number> point;
     interpolate(weights, derivative(word::step1_x, word::step2_x),
                 derivative(word::step1_y, word::step2_y), r, point);
-    point.front_facing = r.integer(word::front) == Ints(1);
+    point.front_facing = r.front_facing();
     return point;
   }
 
+  template <class Record>
   static void interpolate(const CornerWeights<Number>& value, const CornerWeights<Number>& dx,
-                          const CornerWeights<Number>& dy, const Records& r, Point<Number>& point) {
+                          const CornerWeights<Number>& dy, const Record& r, Point<Number>& point) {
     if constexpr (varying_count > 0) {
       for (int i = 0; i < varying_count; ++i) {
-        const Number to_1 = r.to_1(i);
-        const Number to_2 = r.to_2(i);
+        const Number d1 = to_1(r, i);
+        const Number d2 = to_2(r, i);
         numbers<Shader::template Varyings, Number>(point.value)[i] =
-            r.at_0(i) + (value.b1 * to_1 + value.b2 * to_2);
-        numbers<Shader::template Varyings, Number>(point.dx)[i] = dx.b1 * to_1 + dx.b2 * to_2;
-        numbers<Shader::template Varyings, Number>(point.dy)[i] = dy.b1 * to_1 + dy.b2 * to_2;
+            at_0(r, i) + (value.b1 * d1 + value.b2 * d2);
+        numbers<Shader::template Varyings, Number>(point.dx)[i] = dx.b1 * d1 + dx.b2 * d2;
+        numbers<Shader::template Varyings, Number>(point.dy)[i] = dy.b1 * d1 + dy.b2 * d2;
       }
     }
   }

@@ -47,11 +47,15 @@ struct Truth {
 
 /// Lane i as bit i.
 inline std::uint32_t bits(Truth truth) {
+#if HWY_TARGET == HWY_AVX3
+  return truth.mask.raw;
+#else
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(FloatTag(), truth.mask, bytes);
   std::uint32_t result = 0;
   std::memcpy(&result, bytes, 4);
   return result;
+#endif
 }
 inline bool any(Truth truth) {
   return !hn::AllFalse(FloatTag(), truth.mask);
@@ -61,9 +65,13 @@ inline bool all(Truth truth) {
 }
 /// Bit i as lane i.
 inline Truth truth_of(std::uint32_t lane_bits) {
+#if HWY_TARGET == HWY_AVX3
+  return {{static_cast<__mmask16>(lane_bits)}};
+#else
   std::uint8_t bytes[8] = {};
   std::memcpy(bytes, &lane_bits, 4);
   return {hn::LoadMaskBits(FloatTag(), bytes)};
+#endif
 }
 /// The first `count` lanes.
 inline Truth first_lanes(int count) {
@@ -307,6 +315,10 @@ inline Number gather(const std::uint8_t* array, Number index) {
 inline void load_fours(const float* const* from, Number* fours) {
   for (int i = 0; i < 4; ++i) fours[i] = Number(from[0][i]);
 }
+/// To places of the first `count` lanes.
+inline void store_fours(const Number* fours, float* const* to, int count) {
+  for (int i = 0; i < 4 * count; ++i) to[0][i] = hn::GetLane(fours[i].v);
+}
 #else
 /// The four numbers of places 0, 4, 8, …, side by side.
 template <int count>
@@ -319,22 +331,33 @@ hn::Vec<hn::CappedTag<float, count>> load_every_fourth(const float* const* from)
                        load_every_fourth<count / 2>(from));
   }
 }
-/// Four consecutive numbers of a place per lane: cheaper than four gathers.
-inline void load_fours(const float* const* from, Number* fours) {
+/// In each group of four lanes, number i of lane j to number j of lane i.
+inline void transpose_fours(Number* fours) {
   const FloatTag tag;
   const hn::RepartitionToWide<FloatTag> pairs;
-  const auto row0 = load_every_fourth<lanes>(from);
-  const auto row1 = load_every_fourth<lanes>(from + 1);
-  const auto row2 = load_every_fourth<lanes>(from + 2);
-  const auto row3 = load_every_fourth<lanes>(from + 3);
-  const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(tag, row0, row1));
-  const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(tag, row2, row3));
-  const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(tag, row0, row1));
-  const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(tag, row2, row3));
+  const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(tag, fours[0].v, fours[1].v));
+  const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(tag, fours[2].v, fours[3].v));
+  const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(tag, fours[0].v, fours[1].v));
+  const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(tag, fours[2].v, fours[3].v));
   fours[0] = Number(hn::BitCast(tag, hn::InterleaveLower(pairs, low01, low23)));
   fours[1] = Number(hn::BitCast(tag, hn::InterleaveUpper(pairs, low01, low23)));
   fours[2] = Number(hn::BitCast(tag, hn::InterleaveLower(pairs, high01, high23)));
   fours[3] = Number(hn::BitCast(tag, hn::InterleaveUpper(pairs, high01, high23)));
+}
+/// Four consecutive numbers of a place per lane: cheaper than four gathers.
+inline void load_fours(const float* const* from, Number* fours) {
+  for (std::size_t i = 0; i < 4; ++i) fours[i] = Number(load_every_fourth<lanes>(from + i));
+  transpose_fours(fours);
+}
+/// To places of the first `count` lanes.
+inline void store_fours(const Number* fours, float* const* to, int count) {
+  std::array<Number, 4> rows = {fours[0], fours[1], fours[2], fours[3]};
+  transpose_fours(rows.data());
+  alignas(64) std::array<std::array<float, lanes>, 4> row;
+  for (std::size_t i = 0; i < 4; ++i) store(rows[i], row[i].data());
+  for (int lane = 0; lane < count; ++lane) {
+    std::memcpy(to[lane], row[static_cast<std::size_t>(lane % 4)].data() + lane / 4 * 4, 16);
+  }
 }
 #endif
 

@@ -1,19 +1,25 @@
 // The triangles that are seen in a tile, set up for shading: whatever of that is the same for every
 // shader, and so needn't be compiled with each.
 //
+// Each triangle gets a slot. A block of 8×8 pixels is a list of parts: a slot, and which pixels
+// show its triangle. Most blocks have one to three; where all of a vector's pixels show the same,
+// nothing has to be gathered.
+//
 // What shading needs to know of a triangle is a record of 32-bit words, its slot's:
 //
 // - its edge functions 1 and 2, which face corners 1 and 2 and are positive inside, at the tile's
 //   first pixel, their steps, and their sum's limit, twice the area. Inside, edge functions are
 //   between 0 and twice the area; where that is below 2^31, they are exact modulo 2^32, whatever
 //   they are at the tile's first pixel. Larger triangles also have them as doubles.
-// - the ratios of w, and which side is seen;
+// - the ratios of w;
 // - of each Number of the shader's varyings its value at corner 0; of each, how much it differs at
 //   corner 1; of each, how much at corner 2.
 #pragma once
 
 #include "common/engine/kernels.h"
 #include "common/engine/window_vertex.h"
+
+#include <span>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -28,17 +34,9 @@ enum : int {
   area,
   ratio1,  ///< w of corner 0 over w of corner 1
   ratio2,
-  front,     ///< 1 when the front is seen
-  is_large,  ///< 1 when the doubles count
-  unused,
   count,
 };
 }
-
-/// Edge functions 1 and 2 and twice the area, exactly.
-struct Edges {
-  Doubles e1, e2, area;
-};
 
 /// How to have a shader's varyings as plain floats.
 struct CornerVaryings {
@@ -51,6 +49,33 @@ struct CornerVaryings {
   constexpr int record_size() const { return (word::count + 3 * count + 3) / 4 * 4; }
 };
 
+/// A triangle, and which of a vector's pixels see it.
+struct PartOfVector {
+  std::int32_t slot;
+  std::uint32_t lanes;
+};
+
+inline constexpr std::uint32_t all_lanes = 0xFFFFFFFFU >> (32 - lanes);
+
+/// As many pixels of a block as there are lanes, beginning with pixel `first`, and the triangles
+/// they see; or, without a block, triangles that are the same all over, one per lane.
+struct PartsOfVector {
+  static constexpr int no_block = -1;
+
+  int block = no_block;
+  int first = 0;
+  int count = 0;
+  bool any_large = false;
+  std::array<PartOfVector, lanes> part = {};
+
+  void add(std::int32_t slot, std::uint32_t lanes_of_it) {
+    part[static_cast<std::size_t>(count++)] = {slot, lanes_of_it};
+  }
+  std::span<const PartOfVector> parts() const {
+    return std::span(part).first(static_cast<std::size_t>(count));
+  }
+};
+
 class VisibleTriangles {
  public:
   VisibleTriangles(const DrawJob& job, const Tile& tile, const CornerVaryings& varyings,
@@ -61,25 +86,25 @@ class VisibleTriangles {
   /// A single triangle, for pixels of a tile that is a single block.
   void take_one(std::uint32_t key, BlockMask covered);
 
-  /// Instead of a slot: pixels of earlier draw calls, or of none.
-  static constexpr std::int32_t no_slot = -1;
-  /// Instead of a block's slot: its pixels have different ones.
-  static constexpr std::int32_t mixed = -2;
-
-  /// The slots of a block's 64 pixels.
-  const std::int32_t* slots(int block) const { return scratch_.slot.data() + block * 64; }
-  std::int32_t block_slot(int block) const {
-    return scratch_.block_slot[static_cast<std::size_t>(block)];
-  }
+  std::int32_t slot_count() const { return static_cast<std::int32_t>(slot_count_); }
   const float* record(std::int32_t slot) const {
     return scratch_.record.data() + slot * varyings_.record_size();
   }
+  ShadedTriangle& triangle(std::int32_t slot) const {
+    return scratch_.triangle[static_cast<std::size_t>(slot)];
+  }
 
-  /// Edge functions for the pixels of one block beginning with its pixel `first`, as many as there
-  /// are lanes, given each lane's slot, when one of the triangles is large.
-  Edges exact_edges(int block, int first, const std::int32_t* slot) const;
+  /// What a block shows of the draw call: each triangle once.
+  std::span<const VisiblePart> parts(int block) const {
+    const auto b = static_cast<std::size_t>(block);
+    const std::size_t first = b == 0 ? 0 : scratch_.parts_end[b - 1];
+    return std::span(scratch_.part).subspan(first, scratch_.parts_end[b] - first);
+  }
 
-  /// Colours of a block's pixels, packed with red in the lowest byte.
+  /// The same for a vector of its pixels, without triangles that are the same all over.
+  PartsOfVector parts_of_vector(int block, int first) const;
+
+  /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;
 
   /// A block's place in the tile.
@@ -93,13 +118,15 @@ class VisibleTriangles {
  private:
   struct CornerLanes;
   struct TriangleLanes;
+  struct PartOfClipped;
 
   std::uint32_t triangle_of(std::uint32_t key) const { return key - job_.first_key; }
   float* record(std::size_t slot) {
     return scratch_.record.data() + slot * static_cast<std::size_t>(varyings_.record_size());
   }
   void collect();
-  void collect_block(const std::uint32_t* key, std::int32_t* slot);
+  void collect_block(int block);
+  BlockMask inside(int block) const;
   std::int32_t slot_of(std::uint32_t key);
   void reserve_slots(std::size_t count);
   void set_up();
@@ -107,17 +134,20 @@ class VisibleTriangles {
   CornerLanes corner_order(Ints triangle) const;
   std::array<Number, 3> position(Ints vertex) const;
   void write_geometry(const TriangleLanes& triangles, std::size_t first_slot, std::size_t count);
-  void write_differences(float* corners) const;
+  void write_words(const std::array<Ints, word::count>& words, std::size_t first_slot,
+                   std::size_t count);
+  void write_differences(std::size_t slot);
   void resolve_clipped_pixels();
-  void add_part(const ClippedPart& part, const float* corners, std::int32_t whole,
-                std::size_t slot);
-  bool covers(const std::array<SnappedCorner, 3>& corner, int pixel) const;
+  void divide_clipped_triangles(std::span<const PartOfClipped> clipped);
+  void add_slot(const ClippedPart& part, const float* corners);
+  BlockMask covered(const std::array<SnappedCorner, 3>& corner, int block) const;
 
   const DrawJob& job_;
   const Mesh& mesh_;
   const Tile& tile_;
   const CornerVaryings& varyings_;
   int blocks_shift_;
+  std::size_t slot_count_ = 0;
   ShadingScratch& scratch_;
   Statistics& statistics_;
 };

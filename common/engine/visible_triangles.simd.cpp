@@ -21,12 +21,9 @@ void VisibleTriangles::take_all() {
 }
 
 void VisibleTriangles::take_one(std::uint32_t key, BlockMask covered) {
-  scratch_.slot.assign(64, no_slot);
-  scratch_.block_slot.assign(1, mixed);
   scratch_.key.assign(1, key);
-  for (BlockMask rest = covered; rest != 0; rest &= rest - 1) {
-    scratch_.slot[static_cast<std::size_t>(std::countr_zero(rest))] = 0;
-  }
+  scratch_.part.assign(1, {covered, 0});
+  scratch_.parts_end.assign(1, 1);
   set_up();
   resolve_clipped_pixels();
 }
@@ -38,64 +35,62 @@ namespace {
 
 constexpr int table_bits = 12;
 
-/// Where in the hash table keys belong.
-Ints table_index(Ints key) {
-  return shift_right<32 - table_bits>(key * Ints(static_cast<std::int32_t>(2654435761U))) &
-         Ints((1 << table_bits) - 1);
+/// Where in the hash table a key belongs.
+std::size_t table_index(std::uint32_t key) {
+  return key * 2654435761U >> (32 - table_bits);
 }
 
-bool same_everywhere(const std::uint32_t* key) {
-  const Ints first(static_cast<std::int32_t>(key[0]));
-  Truth same = load(key) == first;
-  for (int pixel = lanes; pixel < 64; pixel += lanes) same = same && load(key + pixel) == first;
-  return all(same);
+/// The pixels of a block whose keys, given a vector at a time, fulfil a condition.
+template <class Condition>
+BlockMask pixels_where(const std::uint32_t* key, const Condition& condition) {
+  BlockMask mask = 0;
+  for (int pixel = 0; pixel < 64; pixel += lanes) {
+    mask |= BlockMask{bits(condition(load(key + pixel)))} << pixel;
+  }
+  return mask;
 }
 
 }  // namespace
 
 void VisibleTriangles::collect() {
   const auto blocks = static_cast<std::size_t>(tile_.block_count());
-  scratch_.slot.resize(blocks * 64);
-  scratch_.block_slot.resize(blocks);
   scratch_.table.resize(std::size_t{1} << table_bits);
   scratch_.key.clear();
+  scratch_.part.clear();
+  scratch_.parts_end.resize(blocks);
   for (std::size_t block = 0; block < blocks; ++block) {
-    const std::uint32_t* key = tile_.key + block * 64;
-    std::int32_t* slot = scratch_.slot.data() + block * 64;
-    if (same_everywhere(key)) {
-      scratch_.block_slot[block] = key[0] >= job_.first_key ? slot_of(key[0]) : no_slot;
-      std::fill_n(slot, 64, scratch_.block_slot[block]);
-    } else {
-      scratch_.block_slot[block] = mixed;
-      collect_block(key, slot);
-    }
+    collect_block(static_cast<int>(block));
+    scratch_.parts_end[block] = static_cast<std::uint32_t>(scratch_.part.size());
   }
 }
 
-/// slot_of() for a vector at a time, as far as triangles have a slot already.
-void VisibleTriangles::collect_block(const std::uint32_t* key, std::int32_t* slot) {
-  for (int pixel = 0; pixel < 64; pixel += lanes) {
-    const Ints wanted = load(key + pixel);
-    const Truth owned = wanted >= Ints(static_cast<std::int32_t>(job_.first_key));
-    const Ints last(static_cast<std::int32_t>(scratch_.key.size()) - 1);
-    const Ints entry = gather_ints(scratch_.table.data(), table_index(wanted));
-    Truth known = entry <= last;
-    if (!scratch_.key.empty()) {
-      known = known && gather_ints(scratch_.key.data(), minimum(entry, last)) == wanted;
-    }
-    store(select(owned && known, entry, Ints(no_slot)), slot + pixel);
-    for (std::uint32_t rest = bits(owned && !known); rest != 0; rest &= rest - 1) {
-      const int lane = std::countr_zero(rest);
-      slot[pixel + lane] = slot_of(key[pixel + lane]);
-    }
+void VisibleTriangles::collect_block(int block) {
+  const std::uint32_t* key = tile_.key + block * 64;
+  const Ints first(static_cast<std::int32_t>(job_.first_key));
+  BlockMask rest = pixels_where(key, [&](Ints keys) { return keys >= first; }) & inside(block);
+  while (rest != 0) {
+    const std::uint32_t one = key[std::countr_zero(rest)];
+    const Ints wanted(static_cast<std::int32_t>(one));
+    const BlockMask mask = rest & pixels_where(key, [&](Ints keys) { return keys == wanted; });
+    scratch_.part.push_back({mask, slot_of(one)});
+    rest &= ~mask;
   }
+}
+
+/// Tiles may reach beyond the picture.
+BlockMask VisibleTriangles::inside(int block) const {
+  const Place place = place_of_block(block);
+  const int columns = std::clamp(tile_.width - place.x, 0, 8);
+  const int rows = std::clamp(tile_.height - place.y, 0, 8);
+  if (columns == 0 || rows == 0) return 0;
+  constexpr BlockMask every_row = 0x0101010101010101;
+  return (every_row >> (64 - 8 * rows)) * (0xFFU >> (8 - columns));
 }
 
 /// A table entry is believed when the list of keys confirms it, so it need not be cleared; a
 /// triangle that lost its entry to another is only set up twice.
 std::int32_t VisibleTriangles::slot_of(std::uint32_t key) {
-  const Ints index = table_index(Ints(static_cast<std::int32_t>(key)));
-  std::uint32_t& entry = scratch_.table[static_cast<std::size_t>(hn::GetLane(index.v))];
+  std::uint32_t& entry = scratch_.table[table_index(key)];
   if (entry >= scratch_.key.size() || scratch_.key[entry] != key) {
     entry = static_cast<std::uint32_t>(scratch_.key.size());
     scratch_.key.push_back(key);
@@ -120,9 +115,10 @@ struct VisibleTriangles::TriangleLanes {
 };
 
 void VisibleTriangles::reserve_slots(std::size_t count) {
+  slot_count_ = count;
   const std::size_t size = count * static_cast<std::size_t>(varyings_.record_size());
   if (scratch_.record.size() < size) scratch_.record.resize(size);
-  if (scratch_.exact_edges.size() < count) scratch_.exact_edges.resize(count);
+  if (scratch_.triangle.size() < count) scratch_.triangle.resize(count);
 }
 
 void VisibleTriangles::set_up() {
@@ -179,21 +175,44 @@ void VisibleTriangles::set_up_some(std::size_t first_slot, std::size_t count) {
   for (std::size_t lane = 0; lane < count; ++lane) {
     const std::size_t slot = first_slot + lane;
     if ((usable >> lane & 1U) == 0) {
+      scratch_.triangle[slot].is_constant = false;
       scratch_.clipped.push_back(static_cast<std::uint32_t>(slot));
       continue;
     }
-    float* values = record(slot) + word::count;
-    varyings_.write(job_.shader, mesh_, triangle_of(key[lane]), first[lane], values);
-    write_differences(values);
+    varyings_.write(job_.shader, mesh_, triangle_of(key[lane]), first[lane],
+                    record(slot) + word::count);
+    write_differences(slot);
   }
 }
 
 /// Of corners 1 and 2, the differences from corner 0 in place of the values.
-void VisibleTriangles::write_differences(float* corners) const {
-  for (int i = 0; i < varyings_.count; ++i) {
-    corners[varyings_.count + i] -= corners[i];
-    corners[2 * varyings_.count + i] -= corners[i];
+void VisibleTriangles::write_differences(std::size_t slot) {
+  const int count = varyings_.count;
+  float* corner0 = record(slot) + word::count;
+  float* differences = corner0 + count;
+  bool differ = false;
+  for (int i = 0; i < 2 * count; ++i) {
+    differences[i] -= corner0[i < count ? i : i - count];
+    differ = differ || differences[i] != 0;
   }
+  scratch_.triangle[slot].is_constant = !differ;
+}
+
+/// Into the lanes' records, four at a time and the last one by itself.
+void VisibleTriangles::write_words(const std::array<Ints, word::count>& words,
+                                   std::size_t first_slot, std::size_t count) {
+  static_assert(word::count % 4 == 1);
+  std::array<float*, lanes> to{};
+  for (std::size_t lane = 0; lane < count; ++lane) to[lane] = record(first_slot + lane);
+  for (std::size_t i = 0; i + 4 < words.size(); i += 4) {
+    std::array<Number, 4> fours;
+    for (std::size_t j = 0; j < 4; ++j) fours[j] = from_bit_pattern(words[i + j]);
+    store_fours(fours.data(), to.data(), static_cast<int>(count));
+    for (std::size_t lane = 0; lane < count; ++lane) to[lane] += 4;
+  }
+  alignas(64) std::array<float, lanes> last;
+  store(from_bit_pattern(words.back()), last.data());
+  for (std::size_t lane = 0; lane < count; ++lane) *to[lane] = last[lane];
 }
 
 void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_slot,
@@ -219,17 +238,15 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
   words[word::area] = side * ((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));
   words[word::ratio1] = bit_pattern(t.w[0] / t.w[1]);
   words[word::ratio2] = bit_pattern(t.w[0] / t.w[2]);
-  const Ints front(job_.mirrored ? 1 : -1);
-  words[word::front] = select(side == front, Ints(1), Ints(0));
-  words[word::is_large] = select(is_large, Ints(1), Ints(0));
-  words[word::unused] = Ints(0);
-  alignas(64) std::array<std::array<std::int32_t, lanes>, word::count> by_lane;
-  for (std::size_t i = 0; i < words.size(); ++i) store(words[i], by_lane[i].data());
+  write_words(words, first_slot, count);
+  const std::uint32_t large = bits(is_large);
+  const std::uint32_t front = bits(side == Ints(job_.mirrored ? 1 : -1));
   for (std::size_t lane = 0; lane < count; ++lane) {
-    float* to = record(first_slot + lane);
-    for (std::size_t i = 0; i < words.size(); ++i) to[i] = std::bit_cast<float>(by_lane[i][lane]);
+    ShadedTriangle& triangle = scratch_.triangle[first_slot + lane];
+    triangle.is_large = (large >> lane & 1U) != 0;
+    triangle.front = (front >> lane & 1U) != 0;
   }
-  // Of all: a vector of pixels that has a large triangle asks the others for theirs as well.
+  if (large == 0) return;
   const std::array<Doubles, 3> exact = {exact_product(words[word::step1_y], py - y[2]) +
                                             exact_product(words[word::step1_x], px - x[2]),
                                         exact_product(words[word::step2_y], py - y[0]) +
@@ -239,7 +256,7 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
     alignas(64) std::array<double, lanes> values;
     store(exact[i], values.data());
     for (std::size_t lane = 0; lane < count; ++lane) {
-      scratch_.exact_edges[first_slot + lane][i] = values[lane];
+      scratch_.triangle[first_slot + lane].edges[i] = values[lane];
     }
   }
 }
@@ -247,9 +264,17 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
 // ---------------------------------------------------------------------------------------------
 // Triangles that were clipped: their pixels belong to one of the parts
 
+/// A triangle that a clipped one consists of.
+struct VisibleTriangles::PartOfClipped {
+  std::int32_t whole;  ///< slots
+  std::int32_t slot;
+  std::array<SnappedCorner, 3> corner;
+};
+
 void VisibleTriangles::resolve_clipped_pixels() {
+  if (scratch_.clipped.empty()) return;
+  std::vector<PartOfClipped> parts;
   std::vector<float> corners(static_cast<std::size_t>(3 * varyings_.count));
-  std::size_t next_slot = scratch_.key.size();
   for (const std::uint32_t whole : scratch_.clipped) {
     const std::uint32_t triangle = triangle_of(scratch_.key[whole]);
     const CornerLanes order = corner_order(Ints(static_cast<std::int32_t>(triangle)));
@@ -263,14 +288,16 @@ void VisibleTriangles::resolve_clipped_pixels() {
     varyings_.write(job_.shader, mesh_, triangle, hn::GetLane(order.first.v), corners.data());
     for_each_part(job_.transform, polygon, [&](const ClippedPart& part) {
       if (twice_area(part.snapped[0], part.snapped[1], part.snapped[2]) == 0) return;
-      add_part(part, corners.data(), static_cast<std::int32_t>(whole), next_slot);
-      ++next_slot;
+      parts.push_back(
+          {static_cast<std::int32_t>(whole), static_cast<std::int32_t>(slot_count_), part.snapped});
+      add_slot(part, corners.data());
     });
   }
+  divide_clipped_triangles(parts);
 }
 
-void VisibleTriangles::add_part(const ClippedPart& part, const float* corners, std::int32_t whole,
-                                std::size_t slot) {
+void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
+  const std::size_t slot = slot_count_;
   reserve_slots(slot + 1);
   TriangleLanes lanes_of_part;
   const auto count = static_cast<std::size_t>(varyings_.count);
@@ -286,51 +313,70 @@ void VisibleTriangles::add_part(const ClippedPart& part, const float* corners, s
           a0 + (corner.b1 * (corners[count + i] - a0) + corner.b2 * (corners[2 * count + i] - a0)));
     }
   }
-  write_differences(values);
   write_geometry(lanes_of_part, slot, 1);
-  for (std::size_t pixel = 0; pixel < scratch_.slot.size(); ++pixel) {
-    if (scratch_.slot[pixel] == whole && covers(part.snapped, static_cast<int>(pixel))) {
-      scratch_.slot[pixel] = static_cast<std::int32_t>(slot);
-      scratch_.block_slot[pixel / 64] = mixed;
+  write_differences(slot);
+}
+
+/// In the lists of the blocks, the parts in place of the whole. A pixel on the line between two is
+/// the first one's.
+void VisibleTriangles::divide_clipped_triangles(std::span<const PartOfClipped> clipped) {
+  std::vector<VisiblePart> divided;
+  std::vector<std::uint32_t> ends;
+  for (int block = 0; block < tile_.block_count(); ++block) {
+    for (VisiblePart whole : parts(block)) {
+      for (const PartOfClipped& part : clipped) {
+        if (part.whole != whole.slot) continue;
+        const BlockMask here = whole.mask & covered(part.corner, block);
+        if (here != 0) divided.push_back({here, part.slot});
+        whole.mask &= ~here;
+      }
+      if (whole.mask != 0) divided.push_back(whole);
     }
+    ends.push_back(static_cast<std::uint32_t>(divided.size()));
   }
+  scratch_.part.swap(divided);
+  scratch_.parts_end.swap(ends);
 }
 
 /// Boundaries included: the depth pass has decided already that the pixel is this triangle's.
-bool VisibleTriangles::covers(const std::array<SnappedCorner, 3>& corner, int pixel) const {
-  const Place block = place_of_block(pixel / 64);
-  const SnappedCorner center = {(tile_.left + block.x + pixel % 8) * 256 + 128,
-                                (tile_.top + block.y + pixel / 8 % 8) * 256 + 128};
-  const bool clockwise = twice_area(corner[0], corner[1], corner[2]) > 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int64_t edge = twice_area(corner[i], corner[(i + 1) % 3], center);
-    if (clockwise ? edge < 0 : edge > 0) return false;
+BlockMask VisibleTriangles::covered(const std::array<SnappedCorner, 3>& corner, int block) const {
+  const Place place = place_of_block(block);
+  const double side = twice_area(corner[0], corner[1], corner[2]) > 0 ? 1 : -1;
+  BlockMask mask = 0;
+  for (int first = 0; first < 64; first += lanes) {
+    const Ints pixel = iota(first);
+    const Ints x = ((pixel & Ints(7)) + Ints(tile_.left + place.x)) * Ints(256) + Ints(128);
+    const Ints y = (shift_right<3>(pixel) + Ints(tile_.top + place.y)) * Ints(256) + Ints(128);
+    Truth inside = Ints(0) == Ints(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const SnappedCorner& a = corner[i];
+      const SnappedCorner& b = corner[(i + 1) % 3];
+      // Below 2^50, so exact.
+      const Doubles edge = Doubles(b.x - a.x) * to_doubles(y - Ints(a.y)) -
+                           Doubles(b.y - a.y) * to_doubles(x - Ints(a.x));
+      inside = inside && to_number(edge * Doubles(side)) >= Number(0);
+    }
+    mask |= BlockMask{bits(inside)} << first;
   }
-  return true;
+  return mask;
 }
 
 // ---------------------------------------------------------------------------------------------
 // For shading
 
-Edges VisibleTriangles::exact_edges(int block, int first, const std::int32_t* slot) const {
-  std::array<std::array<double, lanes>, 3> exact;
-  std::array<std::array<std::int32_t, lanes>, 4> step;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const auto triangle = static_cast<std::size_t>(slot[lane]);
-    for (std::size_t i = 0; i < 3; ++i) exact[i][lane] = scratch_.exact_edges[triangle][i];
-    for (std::size_t i = 0; i < 4; ++i) {
-      step[i][lane] = std::bit_cast<std::int32_t>(record(slot[lane])[word::step1_x + i]);
-    }
+PartsOfVector VisibleTriangles::parts_of_vector(int block, int first) const {
+  PartsOfVector found;
+  found.block = block;
+  found.first = first;
+  for (const VisiblePart& part : parts(block)) {
+    if (found.count == lanes) break;
+    const std::uint32_t here = static_cast<std::uint32_t>(part.mask >> first) & all_lanes;
+    const ShadedTriangle& shaded = triangle(part.slot);
+    if (here == 0 || shaded.is_constant) continue;
+    found.add(part.slot, here);
+    found.any_large = found.any_large || shaded.is_large;
   }
-  const Place place = place_of_block(block);
-  const Ints pixel = iota(first);
-  const Doubles x = to_doubles(((pixel & Ints(7)) + Ints(place.x)) * Ints(256));
-  const Doubles y = to_doubles((shift_right<3>(pixel) + Ints(place.y)) * Ints(256));
-  const auto edge = [&](std::size_t i) {
-    return load(exact[i].data()) + (x * to_doubles(load(step[2 * i].data())) +
-                                    y * to_doubles(load(step[2 * i + 1].data())));
-  };
-  return {edge(0), edge(1), load(exact[2].data())};
+  return found;
 }
 
 namespace {
@@ -373,11 +419,8 @@ void write_row(const std::uint32_t* packed, Rgb8* row) {
 void VisibleTriangles::write_colors(int block, const std::uint32_t* packed, BlockMask mask) const {
   const Place place = place_of_block(block);
   Rgb8* row = tile_.color + place.y * tile_.stride + place.x;
-  const int columns = std::min(tile_.width - place.x, 8);
-  const int rows = std::min(tile_.height - place.y, 8);
-  const std::uint32_t inside = columns > 0 ? 0xFFU >> (8 - columns) : 0U;
-  for (int y = 0; y < rows; ++y, row += tile_.stride, packed += 8, mask >>= 8U) {
-    std::uint32_t here = static_cast<std::uint32_t>(mask) & inside;
+  for (; mask != 0; mask >>= 8U, row += tile_.stride, packed += 8) {
+    std::uint32_t here = static_cast<std::uint32_t>(mask) & 0xFFU;
     if (here == 0xFFU) {
       write_row(packed, row);
       continue;

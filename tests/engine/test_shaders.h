@@ -3,6 +3,8 @@
 
 #include "common/mesh/shader_types.h"
 
+#include <atomic>
+
 namespace rasterlab {
 
 /// Normals and positions into colours through everything number.h offers.
@@ -45,6 +47,53 @@ struct HolesShader : BusyShader {
 struct PlainShader : BusyShader {
   Vector3<float> fragment(const SurfacePoint<Varyings, float>& point) const {
     return {point.value.position.x(), point.value.position.y(), point.front_facing ? 1.0F : 0.0F};
+  }
+};
+
+/// Nothing but sums and products, which are the same for any Number.
+struct StripesShader : BusyShader {
+  template <class Number>
+  Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    const Number stripes = point.value.position.x() * Number(8);
+    const Number slope = point.dx.position.x() * Number(20) - point.dy.position.y() * Number(30);
+    return {stripes - round_down(stripes), slope,
+            select(point.front_facing, point.value.normal.z(), Number(0.5F))};
+  }
+};
+
+/// The same, but for floats only, and telling how often it was asked.
+struct CountingShader : StripesShader {
+  std::atomic<int>* fragments;
+
+  explicit CountingShader(std::atomic<int>& count) : fragments(&count) {}
+
+  Vector3<float> fragment(const SurfacePoint<Varyings, float>& point) const {
+    ++*fragments;
+    return StripesShader::fragment(point);
+  }
+};
+
+/// Triangle t is grey, t codes bright; of every third one the left half is white instead, and every
+/// fifth isn't drawn.
+struct NumberedShader {
+  template <class Number>
+  struct Varyings {
+    Number code;
+    Number side;
+    Number drawn;
+  };
+
+  Varyings<float> vertex(const Mesh& mesh, std::uint32_t triangle, int corner) const {
+    const std::uint32_t index = mesh.triangles[triangle][static_cast<std::size_t>(corner)];
+    return {static_cast<float>(triangle), triangle % 3 == 0 ? mesh.positions[index].x() : 1,
+            triangle % 5 == 0 ? 0.0F : 1.0F};
+  }
+
+  template <class Number>
+  Fragment<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    const Number grey =
+        select(point.value.side < Number(0), Number(1), Number(point.value.code / Number(255)));
+    return {{grey, grey, grey}, point.value.drawn < Number(0.5F)};
   }
 };
 

@@ -7,4 +7,7 @@
 RASTERLAB_SHADER(rasterlab::BusyShader)
 RASTERLAB_SHADER(rasterlab::HolesShader)
 RASTERLAB_SHADER(rasterlab::PlainShader)
+RASTERLAB_SHADER(rasterlab::StripesShader)
+RASTERLAB_SHADER(rasterlab::CountingShader)
+RASTERLAB_SHADER(rasterlab::NumberedShader)
 RASTERLAB_SHADER(rasterlab::EncodeShader)

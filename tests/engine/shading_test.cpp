@@ -1,0 +1,146 @@
+// Which pixels are shaded, how often, and what a shader may say to that.
+#include "common/engine/renderer.h"
+#include "common/mesh/shapes.h"
+
+#include "tests/engine/test_shaders.h"
+
+#include <set>
+
+#include <gmock/gmock.h>
+
+namespace rasterlab {
+namespace {
+
+constexpr int width = 200;
+constexpr int height = 150;
+
+/// w grows with y, so that nothing is linear in the window.
+Eigen::Matrix4f tilted() {
+  Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+  matrix(3, 1) = 0.4F;
+  return matrix;
+}
+
+/// `count` squares of a grid's triangles, each nearer than the one before.
+Mesh stack(int count, float side) {
+  const Mesh grid = make_shape("wall", 4);
+  Mesh mesh;
+  for (int layer = 0; layer < count; ++layer) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const float z = 0.5F - 0.05F * static_cast<float>(layer);
+    for (const Eigen::Vector3f& p : grid.positions) {
+      mesh.positions.emplace_back(side * p.x(), side * p.y(), z);
+      mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
+    }
+    for (const auto& [a, b, c] : grid.triangles) {
+      mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+  }
+  return mesh;
+}
+
+template <class Shader>
+Statistics draw(const Mesh& mesh, const Shader& shader, SimdTarget simd, Framebuffer& frame) {
+  const PreparedMesh prepared(mesh);
+  return Renderer({.threads = 2, .simd = simd, .skip = {}})
+      .draw({.mesh = &prepared, .matrix = tilted(), .shading = shading(shader)}, frame);
+}
+
+int drawn_pixels(const Framebuffer& frame) {
+  const Image<std::int32_t> ids = frame.ids();
+  return static_cast<int>(
+      std::count_if(ids.pixels().begin(), ids.pixels().end(), [](int id) { return id >= 0; }));
+}
+
+TEST(engine_shading, asks_the_shader_once_for_each_visible_pixel) {
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    std::atomic<int> asked = 0;
+    Framebuffer frame(width, height);
+    const Statistics statistics = draw(stack(8, 1), CountingShader(asked), simd, frame);
+    const int visible = drawn_pixels(frame);
+    EXPECT_GT(visible, width * height / 8);
+    EXPECT_EQ(asked, visible) << "eight layers lie behind each other";
+    EXPECT_EQ(statistics.pixels_shaded, static_cast<std::uint64_t>(visible));
+  }
+}
+
+TEST(engine_shading, gives_a_plain_scalar_shader_what_a_wide_one_gets) {
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    const Mesh mesh = make_shape("torus_knot", 10);
+    std::atomic<int> asked = 0;
+    Framebuffer plain(width, height);
+    Framebuffer wide(width, height);
+    draw(mesh, CountingShader(asked), simd, plain);
+    draw(mesh, StripesShader(), simd, wide);
+    EXPECT_GT(asked, 1000);
+    EXPECT_EQ(plain.color(), wide.color());
+  }
+}
+
+TEST(engine_shading, leaves_color_and_depth_where_the_shader_discards) {
+  const Mesh behind = stack(1, 1);
+  Mesh before = stack(1, 0.8F);
+  for (Eigen::Vector3f& p : before.positions) p.z() -= 0.3F;
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    Framebuffer both(width, height);
+    Framebuffer only_behind(width, height);
+    Framebuffer only_before(width, height);
+    draw(behind, StripesShader(), simd, both);
+    draw(before, HolesShader(), simd, both);
+    draw(behind, StripesShader(), simd, only_behind);
+    draw(before, HolesShader(), simd, only_before);
+    const Image<std::int32_t> kept = only_before.ids();
+    int holes = 0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const bool is_kept = kept(x, y) >= 0;
+        const Framebuffer& expected = is_kept ? only_before : only_behind;
+        ASSERT_EQ(both.color()(x, y), expected.color()(x, y)) << x << ", " << y;
+        holes += is_kept ? 0 : 1;
+      }
+    }
+    const Image<float> depth = both.depth();
+    const Image<float> depth_behind = only_behind.depth();
+    const Image<float> depth_before = only_before.depth();
+    for (std::size_t i = 0; i < depth.pixels().size(); ++i) {
+      const Image<float>& expected = kept.pixels()[i] >= 0 ? depth_before : depth_behind;
+      ASSERT_EQ(depth.pixels()[i], expected.pixels()[i]) << "pixel " << i;
+    }
+    EXPECT_GT(holes, 3000);
+    EXPECT_GT(drawn_pixels(only_before), 3000);
+  }
+}
+
+/// Triangles that are the same all over are shaded as a whole.
+TEST(engine_shading, colors_a_triangle_without_varyings_as_its_corners_say) {
+  const Mesh mesh = stack(3, 1);
+  ASSERT_LT(mesh.triangles.size(), 256U);
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    Framebuffer frame(width, height);
+    draw(mesh, NumberedShader(), simd, frame);
+    const Image<std::int32_t> ids = frame.ids();
+    std::set<int> seen;
+    int white = 0;
+    for (std::size_t i = 0; i < ids.pixels().size(); ++i) {
+      const int id = ids.pixels()[i];
+      if (id < 0) continue;
+      const int code = frame.color().pixels()[i].r;
+      ASSERT_NE(id % 5, 0) << "pixel " << i << " isn't drawn";
+      if (id % 3 == 0 && code == 255) {
+        ++white;
+      } else {
+        ASSERT_EQ(code, id) << "pixel " << i;
+      }
+      seen.insert(id);
+    }
+    EXPECT_GT(white, 100);
+    EXPECT_GT(seen.size(), 20U);
+  }
+}
+
+}  // namespace
+}  // namespace rasterlab
