@@ -85,6 +85,7 @@ class OmParts {
         return pass(chunk, 3, chunk.dim_ == 2 && chunk.float_ == 0 && chunk.bits_ == 0);
       case Chunk::Type_Topology:
         if (chunk.entity_ == Chunk::Entity_Halfedge) return pass(chunk, 3 * integer, true);
+        if (chunk.dim_ != 0) fail("there is a part of unknown kind in it");  // OpenMesh aborts
         if (chunk.entity_ == Chunk::Entity_Face && version_ < om::mk_version(2, 0)) {
           skip_polygons(integer);
           return true;

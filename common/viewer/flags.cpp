@@ -103,6 +103,25 @@ void add_file(CLI::App& app, const std::string& flag, const std::string& form,
       ->group(group);
 }
 
+// A file to write that holds what pictures don't: the last letters of its name say in which format.
+void add_result(CLI::App& app, const std::string& flag, const std::vector<std::string>& extensions,
+                const std::string& description, std::filesystem::path& path) {
+  std::string form = "FILE" + extensions.front();
+  for (std::size_t i = 1; i < extensions.size(); ++i) form += "|" + extensions[i];
+  app.add_option_function<std::string>(
+         flag,
+         [=, &path](const std::string& text) {
+           path = text;
+           if (std::find(extensions.begin(), extensions.end(), path.extension()) ==
+               extensions.end()) {
+             refuse(flag, text.empty() ? "''" : text, form);
+           }
+         },
+         description)
+      ->type_name(form)
+      ->group(group);
+}
+
 std::string joined(const Choices& choices) {
   std::string all;
   for (const Choice& choice : choices) all += (all.empty() ? "" : ", ") + choice.name;
@@ -250,11 +269,11 @@ void add_output_flags(CLI::App& app, ViewerFlags& flags) {
       ->group(group);
   add_count(app, "--repeat", "Draw N times; --stats gives median, minimum and all times", 1,
             flags.repeat);
-  add_file(app, "--depth", "FILE.pfm", "Write the distance along the view axis, +inf for nothing",
-           flags.depth);
-  add_file(app, "--ids", "FILE.pgm|.pfm",
-           "Write the index of the face seen at each pixel; nothing is 65535 in .pgm, -1 in .pfm",
-           flags.ids);
+  add_result(app, "--depth", {".pfm"}, "Write the distance along the view axis, +inf for nothing",
+             flags.depth);
+  add_result(app, "--ids", {".pgm", ".pfm"},
+             "Write the index of the face seen at each pixel; nothing is 65535 in .pgm, -1 in .pfm",
+             flags.ids);
   if (windows_are_built_in()) {
     app.add_flag("--window", flags.window,
                  "Show it live: drag turns, the wheel zooms, Esc leaves; nothing is written")

@@ -229,6 +229,9 @@ TEST_P(cli_viewer, bad_values_are_refused) {
                                             {"--repeat", "0"},
                                             {"--repeat", "-1"},
                                             {"--repeat", "x"},
+                                            {"--depth", "d.png"},
+                                            {"--depth", "d"},
+                                            {"--ids", "i.png"},
                                             {"--eye", "1,1,1", "--center", "1,1,1"}};
   if (stage_ >= "05")
     bad.insert(
