@@ -70,10 +70,9 @@ TEST(house_standalone, every_stage_builds_and_runs_without_the_later_ones) {
   const fs::path build = place / "build";
   copy_tree(tree);
   // Compiled without optimization: this is about what is there, not how fast it is.
-  succeed({"cmake", "-S", tree, "-B", build, "-G", "Ninja",
-           "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0",
-           "-DRASTERLAB_SIMD_TARGETS=scalar", "-DRASTERLAB_TESTS=OFF",
-           "-DRASTERLAB_BENCHMARKS=OFF"},
+  succeed({"cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
+           "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DRASTERLAB_SIMD_TARGETS=scalar",
+           "-DRASTERLAB_TESTS=OFF", "-DRASTERLAB_BENCHMARKS=OFF"},
           place);
   std::vector<std::string> left = stages();
   while (!left.empty() && !HasFailure()) {
