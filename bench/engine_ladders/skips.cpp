@@ -20,24 +20,15 @@ struct Switch {
   bool Skips::*skip;
 };
 
-/// Those that this engine has: the newer ones are not in every state of it.
-template <class Options = Skips>
-std::vector<Switch> switches() {
-  std::vector<Switch> all = {{"outside", &Options::outside}};
-  if constexpr (requires { &Options::facing_away; })
-    all.push_back({"facing away", &Options::facing_away});
-  if constexpr (requires { &Options::hidden; }) all.push_back({"hidden", &Options::hidden});
-  if constexpr (requires { &Options::hidden_clusters; })
-    all.push_back({"hidden clusters", &Options::hidden_clusters});
-  if constexpr (requires { &Options::hidden_triangles; })
-    all.push_back({"hidden triangles", &Options::hidden_triangles});
-  all.push_back({"front to back", &Options::front_to_back});
-  return all;
-}
+constexpr Switch switches[] = {{"outside", &Skips::outside},
+                               {"facing away", &Skips::facing_away},
+                               {"hidden clusters", &Skips::hidden_clusters},
+                               {"hidden triangles", &Skips::hidden_triangles},
+                               {"front to back", &Skips::front_to_back}};
 
 Skips nothing() {
   Skips skips;
-  for (const Switch& one : switches()) skips.*one.skip = false;
+  for (const Switch& one : switches) skips.*one.skip = false;
   return skips;
 }
 
@@ -114,7 +105,7 @@ TimedLadder skip_ladder(const std::string& name) {
                             .errors = difference(Picture(drawing->draw()), truth)});
   };
   add("nothing skipped", nothing());
-  for (const Switch& one : switches()) {
+  for (const Switch& one : switches) {
     Skips skips;
     skips.*one.skip = false;
     add(std::string("all but ") + one.name, skips);
