@@ -29,8 +29,10 @@ Surface::Point point(const Eigen::Vector3f& position) {
 void add_triangle(Surface& surface, const Corners& corners) {
   if (surface.add_face(corners[0], corners[1], corners[2]).is_valid()) return;
   Corners own;
-  std::transform(corners.begin(), corners.end(), own.begin(),
-                 [&](auto corner) { return surface.add_vertex(surface.point(corner)); });
+  std::transform(corners.begin(), corners.end(), own.begin(), [&](auto corner) {
+    const Surface::Point copy = surface.point(corner);  // adding moves the points
+    return surface.add_vertex(copy);
+  });
   surface.add_face(own[0], own[1], own[2]);
 }
 
