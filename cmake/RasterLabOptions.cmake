@@ -10,9 +10,10 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 find_program(RASTERLAB_CCACHE ccache)
 if(RASTERLAB_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Precompiled headers need these two freedoms; without them ccache never hits.
+  # Precompiled headers need these two freedoms; without them ccache never hits. Paths count from the root of the tree,
+  # so that what one copy of it compiled serves every other.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${RASTERLAB_CCACHE}")
+      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;CCACHE_BASEDIR=${PROJECT_SOURCE_DIR};${RASTERLAB_CCACHE}")
 endif()
 
 add_library(rasterlab_options INTERFACE)

@@ -45,7 +45,7 @@ function(rasterlab_add_stage stage)
 endfunction()
 
 # A test is compiled for longer than it runs; what it calls in common is optimized in full.
-set(RASTERLAB_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+set(RASTERLAB_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>" "$<$<CONFIG:RelWithDebInfo>:-O0>")
 
 # rasterlab_add_tests(<name> LABELS <labels>... SOURCES <files>... [LIBRARIES <targets>...]
 #                     [PROPERTIES <ctest properties>...])

@@ -23,6 +23,14 @@
 #include <concepts>
 #include <span>
 
+// One function without calls is 7 to 33 % faster, and takes five times as long to compile: done for
+// the instruction sets that are met with.
+#ifdef __AVX2__
+#define RASTERLAB_FLATTEN [[gnu::flatten, gnu::noinline]]
+#else
+#define RASTERLAB_FLATTEN [[gnu::noinline]]
+#endif
+
 namespace rasterlab::RASTERLAB_SIMD {
 
 /// Shades the tiles of one draw call.
@@ -139,9 +147,8 @@ class TileShading {
     alignas(64) std::array<std::uint32_t, 2 * lanes> packed = {};
   };
 
-  [[gnu::flatten, gnu::noinline]] PairColors shade_pair(const PartsOfVector& low,
-                                                        const PartsOfVector& high,
-                                                        std::uint32_t wanted) const {
+  RASTERLAB_FLATTEN PairColors shade_pair(const PartsOfVector& low, const PartsOfVector& high,
+                                          std::uint32_t wanted) const {
     PairColors colors;
     const Fragment<NumberPair> fragment = shade(join(see(low), see(high)), wanted);
     write_bytes(fragment.color, colors.packed.data());
@@ -436,6 +443,8 @@ const ShadingKernels& shading_kernels() {
 }
 
 }  // namespace rasterlab::RASTERLAB_SIMD
+
+#undef RASTERLAB_FLATTEN
 
 /// Compiles a shader for this file's instruction set. Outside all namespaces.
 #define RASTERLAB_SHADER(Shader) \
