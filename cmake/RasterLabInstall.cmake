@@ -4,13 +4,8 @@ include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/RasterLab")
 target_include_directories(common PUBLIC "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rasterlab>")
-set(libraries rasterlab_options rasterlab_openmesh rasterlab_highway rasterlab_backward)
-foreach(part core imgproc imgcodecs)
-  list(APPEND libraries opencv_${part})
-endforeach()
-if(TARGET opencv_highgui)
-  list(APPEND libraries opencv_highgui)
-endif()
+set(libraries rasterlab_options rasterlab_openmesh rasterlab_highway rasterlab_backward opencv_core
+    opencv_imgproc)
 install(TARGETS common ${libraries} EXPORT RasterLabTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}/rasterlab")
 install(EXPORT RasterLabTargets NAMESPACE RasterLab:: DESTINATION "${package}")
 install(

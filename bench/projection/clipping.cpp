@@ -44,7 +44,8 @@ std::vector<ClipTriangle> floor_triangles(double extent) {
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const auto at = [&](int below, int right) {
-        return vertices[static_cast<std::size_t>((row + below) * (cells + 1) + column + right)];
+        const int index = (row + below) * (cells + 1) + column + right;
+        return vertices[static_cast<std::size_t>(index)];
       };
       triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
       triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});

@@ -26,8 +26,10 @@ ShadedPoints make_points() {
   for (auto& array : points.varyings) array.resize(ShadedPoints::count);
   for (auto& array : points.color) array.resize(ShadedPoints::count);
   for (int i = 0; i < ShadedPoints::count; ++i) {
-    const double x = (i % side + 0.5) / side * 1.4 - 0.7 + random_number(random, -0.02, 0.02);
-    const double y = (i / side + 0.5) / side * 1.4 - 0.7 + random_number(random, -0.02, 0.02);
+    const int column = i % side;
+    const int row = i / side;
+    const double x = (column + 0.5) / side * 1.4 - 0.7 + random_number(random, -0.02, 0.02);
+    const double y = (row + 0.5) / side * 1.4 - 0.7 + random_number(random, -0.02, 0.02);
     const Eigen::Vector3d place(x, y, std::sqrt(std::max(1 - x * x - y * y, 0.01)));
     for (std::size_t c = 0; c < 6; ++c) {
       points.varyings[c][static_cast<std::size_t>(i)] =

@@ -20,10 +20,11 @@ constexpr int reach = 5;
 std::array<double, 2 * reach + 1> gaussian() {
   std::array<double, 2 * reach + 1> weights{};
   double sum = 0;
-  for (int i = -reach; i <= reach; ++i) {
-    const double weight = std::exp(-i * i / (2 * 1.5 * 1.5));
-    weights[static_cast<std::size_t>(i + reach)] = weight;
+  int offset = -reach;
+  for (double& weight : weights) {
+    weight = std::exp(-offset * offset / (2 * 1.5 * 1.5));
     sum += weight;
+    ++offset;
   }
   for (double& weight : weights) weight /= sum;
   return weights;
@@ -39,10 +40,11 @@ Plane smoothed(int width, int height, Value value) {
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         double sum = 0;
-        for (int i = -reach; i <= reach; ++i) {
-          const double weight = weights[static_cast<std::size_t>(i + reach)];
-          sum += weight * (pass == 0 ? value(std::clamp(x + i, 0, width - 1), y)
-                                     : rows.row(std::clamp(y + i, 0, height - 1))[x]);
+        int offset = -reach;
+        for (const double weight : weights) {
+          sum += weight * (pass == 0 ? value(std::clamp(x + offset, 0, width - 1), y)
+                                     : rows.row(std::clamp(y + offset, 0, height - 1))[x]);
+          ++offset;
         }
         (pass == 0 ? rows : result).row(y)[x] = sum;
       }

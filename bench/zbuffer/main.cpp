@@ -10,8 +10,8 @@ namespace rasterlab::bench {
 namespace {
 
 /// A rung's work is to see all of these.
-TimedLadder visibility_ladder_on(const std::string& input, std::vector<VisibilityScene> scenes,
-                                 double pixels,
+TimedLadder visibility_ladder_on(const std::string& input,
+                                 const std::vector<VisibilityScene>& scenes, double pixels,
                                  const std::function<Errors(VisibilityFunction)>& errors) {
   TimedLadder ladder{.name = "03.5 visibility, " + input,
                      .stage = "03",

@@ -56,7 +56,7 @@ constexpr std::size_t chunk_overhead = 12;  // length, type, checksum
 }  // namespace
 
 void Animation::add(const Image<Rgb8>& frame) {
-  const std::string png = formats::encode_by_opencv(".png", frame, {});
+  const std::string png = formats::encode_png(frame);
   CompressedFrame compressed;
   for (std::string_view rest = std::string_view(png).substr(signature_length); !rest.empty();) {
     const std::size_t length = big_endian_number(rest);

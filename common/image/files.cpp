@@ -109,21 +109,17 @@ void check_writable(const std::filesystem::path& path, const Capacity& capacity,
   }
 }
 
-AnyImage black_and_white(AnyImage image) {
-  for (std::uint8_t& pixel : std::get<Image<std::uint8_t>>(image).pixels()) {
-    pixel = pixel < 128 ? 0 : 255;
-  }
-  return image;
-}
-
+/// `image` is of a kind the format can hold.
 std::string encode(const std::string& extension, const AnyImage& image,
                    const WriteOptions& options) {
+  if (extension == ".png") return formats::encode_png(image);
+  if (extension == ".jpg") return formats::encode_jpeg(image, options.jpeg_quality);
   if (extension == ".tga") return formats::encode_tga(image, options.run_length);
-  if (extension == ".pbm")
-    return formats::encode_by_opencv(extension, black_and_white(image), options);
-  if (extension != ".pnm") return formats::encode_by_opencv(extension, image, options);
-  const bool grey = kind_of(image).channels == 1;
-  return formats::encode_by_opencv(grey ? ".pgm" : ".ppm", image, options);
+  if (extension == ".pfm") return formats::encode_pfm(image);
+  if (extension == ".pbm") {
+    return formats::encode_pbm(std::get<Image<std::uint8_t>>(image), options.text);
+  }
+  return formats::encode_netpbm(image, options.text);
 }
 
 }  // namespace

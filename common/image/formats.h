@@ -35,8 +35,19 @@ AnyImage decode_tga(const Source& source);
 /// Pixels: 8 bit grey, RGB or RGBA; sides at most 65535.
 std::string encode_tga(const AnyImage& image, bool run_length);
 
-/// PNG, JPEG, PBM, PGM, PPM, PFM, told by the extension; `image` is of a kind the format can hold.
-std::string encode_by_opencv(const std::string& extension, const AnyImage& image,
-                             const WriteOptions& options);
+/// White from 128.
+std::string encode_pbm(const Image<std::uint8_t>& image, bool text);
+
+/// PGM or PPM. Pixels: 8 or 16 bit grey or RGB.
+std::string encode_netpbm(const AnyImage& image, bool text);
+
+/// Pixels: float, grey or RGB.
+std::string encode_pfm(const AnyImage& image);
+
+/// Pixels: 8 or 16 bit.
+std::string encode_png(const AnyImage& image);
+
+/// Pixels: 8 bit grey or RGB; `quality` 0 to 100.
+std::string encode_jpeg(const AnyImage& image, int quality);
 
 }  // namespace rasterlab::formats

@@ -1,7 +1,7 @@
-// PNG and JPEG through OpenCV, and writing what OpenCV writes well. Its readers take much on trust,
-// so a file's structure is checked first: that it is whole, and that its bytes can be as many
-// pixels as it claims.
+// PNG and JPEG through OpenCV. Its readers take much on trust, so a file's structure is checked
+// first: that it is whole, and that its bytes can be as many pixels as it claims.
 #include "common/image/formats.h"
+#include "common/image/opencv_library.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -242,6 +242,21 @@ cv::Mat to_opencv(const Image<Pixel>& image) {
   return swapped;
 }
 
+struct Codecs {
+  OpenCvLibrary library{RASTERLAB_OPENCV_CODECS};
+  decltype(cv::imencode)* encode = library.function<decltype(cv::imencode)>(
+      "imencode",
+      std::string(OpenCvLibrary::string) + "RKNS_11_InputArrayERSt6vectorIhSaIhEERKSB_IiSaIiEE");
+  cv::Mat (*decode)(cv::InputArray,
+                    int) = library.function<cv::Mat(cv::InputArray, int)>("imdecode",
+                                                                          "RKNS_11_InputArrayEi");
+};
+
+const Codecs& codecs() {
+  static const Codecs loaded;
+  return loaded;
+}
+
 AnyImage decode_by_opencv(const Source& source, const char* format, int flags) {
   cv::Mat picture;
   std::string complaint;
@@ -249,7 +264,7 @@ AnyImage decode_by_opencv(const Source& source, const char* format, int flags) {
     const CapturedStandardError captured;
     const cv::Mat bytes(1, static_cast<int>(source.bytes.size()), CV_8U,
                         const_cast<char*>(source.bytes.data()));  // NOLINT: only read
-    picture = cv::imdecode(bytes, flags);
+    picture = codecs().decode(bytes, flags);
     complaint = captured.first_line();
   } catch (const std::exception& error) {
     complaint = error.what();
@@ -259,6 +274,15 @@ AnyImage decode_by_opencv(const Source& source, const char* format, int flags) {
                      (complaint.empty() ? "" : " (" + complaint + ")"));
   }
   return from_opencv(source, picture);
+}
+
+std::string encode_by_opencv(const char* extension, const AnyImage& image,
+                             const std::vector<int>& parameters) {
+  const cv::Mat picture = std::visit([](const auto& pixels) { return to_opencv(pixels); }, image);
+  std::vector<unsigned char> bytes;
+  const CapturedStandardError captured;
+  if (!codecs().encode(extension, picture, bytes, parameters)) return {};
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
@@ -274,21 +298,13 @@ AnyImage decode_jpeg(const Source& source) {
   return decode_by_opencv(source, "JPEG", cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
 }
 
-std::string encode_by_opencv(const std::string& extension, const AnyImage& image,
-                             const WriteOptions& options) {
-  std::vector<int> parameters;
-  if (extension == ".jpg") {
-    parameters = {cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality};
-  } else if (extension == ".png") {
-    parameters = {cv::IMWRITE_PNG_COMPRESSION, 6};  // by default up to 4 times as large
-  } else if (extension != ".pfm") {
-    parameters = {cv::IMWRITE_PXM_BINARY, options.text ? 0 : 1};
-  }
-  const cv::Mat picture = std::visit([](const auto& pixels) { return to_opencv(pixels); }, image);
-  std::vector<unsigned char> bytes;
-  const CapturedStandardError captured;
-  if (!cv::imencode(extension, picture, bytes, parameters)) return {};
-  return {bytes.begin(), bytes.end()};
+std::string encode_png(const AnyImage& image) {
+  // By default OpenCV compresses less, to files up to 4 times as large.
+  return encode_by_opencv(".png", image, {cv::IMWRITE_PNG_COMPRESSION, 6});
+}
+
+std::string encode_jpeg(const AnyImage& image, int quality) {
+  return encode_by_opencv(".jpg", image, {cv::IMWRITE_JPEG_QUALITY, quality});
 }
 
 }  // namespace rasterlab::formats

@@ -97,14 +97,14 @@ Picture take_picture(const std::string& stage, const std::string& mesh, int widt
                                    "--size",
                                    std::to_string(width) + "x" + std::to_string(height),
                                    "--out",
-                                   scratch / "picture.png",
+                                   scratch / "picture.ppm",
                                    "--depth",
                                    scratch / "distance.pfm",
                                    "--ids",
                                    scratch / "ids.pfm"};
   command.insert(command.end(), flags.begin(), flags.end());
   run(command);
-  return {.color = read_image<Rgb8>(scratch / "picture.png"),
+  return {.color = read_image<Rgb8>(scratch / "picture.ppm"),
           .distance = read_image<float>(scratch / "distance.pfm"),
           .ids = read_image<float>(scratch / "ids.pfm")};
 }
