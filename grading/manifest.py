@@ -14,9 +14,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAGES = ("01_lines", "02_triangles", "03_zbuffer", "04_projection", "05_lighting", "06_texture", "07_shaders")
 
 # The stage that brings each topic of common; topics not named here are given from the start. The engine is
-# the fast renderer: what the stages before 04 ask for could be read there.
+# the fast renderer: what the stages before 04 ask for could be read there. Its benchmarks draw textures.
 TOPIC_STAGE = {"lines": 1, "triangles": 2, "zbuffer": 3, "projection": 4, "viewer": 4, "engine": 4,
-               "lighting": 5, "texture": 6, "data": 6, "shaders": 7}
+               "bench/engine": 6, "bench/engine_ladders": 6, "lighting": 5, "texture": 6, "data": 6, "shaders": 7}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -71,8 +71,8 @@ def path_stage(path: str) -> int:
     """The stage that brings a file of the repository; 0 for what is there from the start."""
     if match := re.search(r"(?:^|/)(?:stage)?(0[1-7])(?:_|/|\.|$)", path):
         return int(match.group(1))
-    if match := re.match(r"(?:common|tests|bench|docs)/([a-z]+)(?:/|\.md$)", path):
-        return TOPIC_STAGE.get(match.group(1), 0)
+    if match := re.match(r"((?:common|tests|bench|docs)/([a-z_]+))(?:/|\.md$)", path):
+        return TOPIC_STAGE.get(match[1], TOPIC_STAGE.get(match[2], 0))
     return 0
 
 

@@ -3,7 +3,6 @@
 #include "bench/support/oracle_number.h"
 
 #include "common/image/number.h"
-#include "common/texture/sample.h"
 
 #include <gtest/gtest.h>
 
@@ -30,24 +29,6 @@ TEST(bench_oracle_number, computes_what_floats_compute_and_better) {
     const auto by_quad = static_cast<double>(mixture<OracleNumber<Quad>>(a, b).value);
     EXPECT_NEAR(by_float, by_double, 1e-5);
     EXPECT_NEAR(by_double, by_quad, 1e-13);
-  }
-}
-
-TEST(bench_oracle_number, reads_textures_by_every_filter) {
-  Image<Rgb8> image(8, 8);
-  for (int i = 0; i < 64; ++i) image.pixels()[static_cast<std::size_t>(i)].g = std::uint8_t(3 * i);
-  const Texture texture(image);
-  const auto green = []<class Number>(const Sampler& sampler) {
-    const auto step = [](float u, float v) { return Vector2<Number>(Number(u), Number(v)); };
-    return sample<Number>(sampler, {step(0.31F, 0.62F), step(0.3F, 0.02F), step(0.01F, 0.14F)}).y();
-  };
-  for (const FilterRung& rung : filter_ladder()) {
-    const Sampler sampler{&texture, rung.filter, Wrap::repeat};
-    const double by_float = double{green.operator()<float>(sampler)};
-    const double by_double = green.operator()<OracleNumber<double>>(sampler).value;
-    const auto by_quad = static_cast<double>(green.operator()<OracleNumber<Quad>>(sampler).value);
-    EXPECT_NEAR(by_float, by_double, 1e-6) << rung.name;
-    EXPECT_NEAR(by_double, by_quad, 1e-14) << rung.name;
   }
 }
 

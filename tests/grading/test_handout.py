@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 
 import pytest
@@ -21,6 +22,21 @@ def test_every_exercise_has_a_starter(stage: str) -> None:
 @pytest.mark.parametrize("stage", STAGES)
 def test_no_answer_is_left(stage: str) -> None:
     handout.check_leaks(handout.make_starter([stage]), Kit([stage], "secret"))
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_sources_include_only_what_is_handed_out(stage: str) -> None:
+    files = handout.make_starter([stage]).files
+    there = {*files, "common/engine/compiled_simd_targets.h", *(n.removesuffix(".in") for n in files if n.endswith(".h.in"))}
+    # What stage 03 compiles for its own tests is of no use before it.
+    todo = [name for name in files if name.endswith(".cpp") and name != "tests/oracle/exact_visibility.cpp"]
+    seen = set(todo)
+    while todo:
+        name = todo.pop()
+        found = re.findall(r'^#include "((?:common|bench|tests|0\d_\w+)/.+)"', files.get(name, b"").decode(), re.MULTILINE)
+        assert set(found) <= there, name
+        todo += set(found) - seen
+        seen.update(found)
 
 
 def test_a_leak_is_found() -> None:
