@@ -48,8 +48,12 @@ class Exercise:
 
     @property
     def header(self) -> str:
-        """The contract."""
-        return str(pathlib.PurePosixPath(self.file).with_suffix(".h"))
+        """The contract: the header beside the file; where rungs of a ladder share one, that which declares them."""
+        beside = ROOT / pathlib.PurePosixPath(self.file).with_suffix(".h")
+        if not beside.exists():
+            beside = next(path for path in sorted(beside.parent.glob("*.h"))
+                          if re.search(rf"\b{self.function}\(", path.read_text()))
+        return beside.relative_to(ROOT).as_posix()
 
 
 def stage_number(stage: str) -> int:

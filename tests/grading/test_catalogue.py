@@ -1,5 +1,7 @@
 """The catalogue of known mistakes against the reference as it is now."""
 
+import functools
+import re
 import tomllib
 
 import pytest
@@ -23,6 +25,22 @@ def test_every_mistake_still_applies(stage: str) -> None:
 def test_every_graded_exercise_has_a_mistake(stage: str) -> None:
     known = {mistake.exercise for mistake in catalogue.mistakes(stage)}
     assert known == {exercise.id for exercise in manifest.exercises(stage) if not exercise.grading.by_hand}
+
+
+@functools.cache
+def contract(header: str) -> str:
+    """What the comments of a header, and of those that it includes, say."""
+    text = (ROOT / header).read_text()
+    comments = " ".join(re.findall(r"//[/<]*(.*)", text))
+    included = re.findall(r'#include "(common/.*\.h)"', text)
+    return " ".join([*comments.split(), *map(contract, included)])
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_mistakes_quote_the_contract_they_break(stage: str) -> None:
+    headers = {exercise.id: exercise.header for exercise in manifest.exercises(stage)}
+    for mistake in catalogue.mistakes(stage):
+        assert mistake.breaks in contract(headers[mistake.exercise]), mistake.id
 
 
 def test_names_are_unique() -> None:
