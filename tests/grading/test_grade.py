@@ -72,6 +72,65 @@ def test_record_that_was_cut_off_is_made_again(tmp_path: pathlib.Path, monkeypat
     assert lab.grade(Verdict.RIGHT)
 
 
+class Term:
+    """A class of five whose answers are evaluated by what they say, through the command itself."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, folder: pathlib.Path) -> None:
+        self.evaluated: list[str] = []
+        self.interrupted_at = ""
+        self.folder = folder
+        kit = types.SimpleNamespace(digest="kit", stages=["01_lines"], exercises=[EXERCISE], graded_exercises=[EXERCISE])
+        monkeypatch.setattr(grade, "Kit", lambda *_: kit)
+        monkeypatch.setattr(Grader, "prepare", lambda _: None)
+        monkeypatch.setattr(jail, "unenforced", lambda: ())
+        monkeypatch.setattr(grade, "check_whole", lambda *_: {"verdict": "right", "message": ""})
+        monkeypatch.setattr(grade, "evaluate_and_explain", self._evaluate)
+        for name in ("anna", "ben", "carla", "dora", "emil"):
+            (folder / name).mkdir()
+            (folder / name / "draw_line.cpp").write_text(name)
+
+    def _evaluate(self, _kit: Any, exercise: Exercise, own: dict[str, pathlib.Path],
+                  *_: object) -> tuple[Outcome, None]:
+        text = own[exercise.file].read_text()
+        if text == self.interrupted_at:
+            raise KeyboardInterrupt
+        self.evaluated.append(text)
+        return Outcome(exercise, Verdict.WRONG if "a" in text else Verdict.RIGHT, len(text) / 4), None
+
+    def grade(self, out: str, *options: str) -> list[str]:
+        """Whose answers were evaluated."""
+        self.evaluated = []
+        submissions = [str(path) for path in self.folder.iterdir() if (path / "draw_line.cpp").exists()]
+        try:
+            grade.main(["--kit", "01", "-q", *submissions, "--out", str(self.folder / out), *options])
+        except KeyboardInterrupt:
+            pass
+        return sorted(self.evaluated)
+
+    def report(self, out: str) -> dict[str, bytes]:
+        """Every file of a report but the list of commands, which names its folder."""
+        return {str(path.relative_to(self.folder / out)): path.read_bytes()
+                for path in (self.folder / out).rglob("*") if path.is_file() and path.name != "jobs.tsv"}
+
+
+def test_interrupted_run_goes_on_where_it_stopped(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    term = Term(monkeypatch, tmp_path)
+    term.grade("whole")
+    term.interrupted_at = "carla"
+    assert term.grade("stopped") == ["anna", "ben"]
+    term.interrupted_at = ""
+    assert term.grade("stopped") == ["carla", "dora", "emil"]
+    assert term.report("stopped") == term.report("whole")
+
+
+def test_shards_together_are_the_whole_run(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    term = Term(monkeypatch, tmp_path)
+    term.grade("whole")
+    assert term.grade("parts", "--shard", "1/2") == ["anna", "carla", "emil"]
+    assert term.grade("parts", "--shard", "2/2") == ["ben", "dora"]
+    assert term.report("parts") == term.report("whole")
+
+
 @pytest.mark.skipif("RASTERLAB_LONG_TESTS" not in os.environ, reason="builds the reference: set RASTERLAB_LONG_TESTS=1")
 def test_examples_are_graded_as_they_deserve(tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
     examples = sorted(str(path) for path in (ROOT / "grading/examples").iterdir())
