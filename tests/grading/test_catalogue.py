@@ -43,6 +43,13 @@ def test_mistakes_quote_the_contract_they_break(stage: str) -> None:
         assert mistake.breaks in contract(headers[mistake.exercise]), mistake.id
 
 
+@pytest.mark.parametrize("stage", STAGES)
+def test_every_stage_has_three_right_answers_written_differently(stage: str) -> None:
+    files = {exercise.file for exercise in manifest.exercises(stage)}
+    ways = {path.relative_to(selftest.RIGHT).parts[0] for file in files for path in selftest.RIGHT.glob(f"*/{file}")}
+    assert len(ways) >= 3
+
+
 def test_names_are_unique() -> None:
     names = [mistake.id for stage in STAGES for mistake in catalogue.mistakes(stage)]
     assert len(names) == len(set(names))
