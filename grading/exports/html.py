@@ -25,6 +25,9 @@ figure img { width: 256px; image-rendering: pixelated; border: 1px solid #8888; 
 .bar { background: #0969da; height: .8rem; display: inline-block; border-radius: 2px; }
 """
 
+# How many wrong results of a scene a student sees without asking for more.
+SHOWN_AT_ONCE = 3
+
 _COLORS = {"right": "right", "grader error": "failed", "by hand": "failed"}
 
 
@@ -81,7 +84,7 @@ def _exercise(entry: Json) -> str:
         body += _paragraph(entry["message"])
     if mistake := entry["mistake"]:
         body += (f'<div class="mistake"><p><strong>This looks like: {html.escape(mistake["title"])}.</strong></p>\n'
-                 f'<p>The contract says: {html.escape(mistake["breaks"])}</p></div>\n')
+                 f'<p>The contract says: “{html.escape(mistake["breaks"])}”</p></div>\n')
     if entry["verdict"] not in ("right", "by hand"):
         body += _paragraph(f"Read {entry['section']}, and the contract {entry['contract']}.")
     body += _pre(entry["compiler"])
@@ -99,19 +102,24 @@ def _hidden_scenes(scenes: list[Json]) -> str:
 
 def _scene(entry: Json, scene: Json) -> str:
     body = f"<h3>{html.escape(scene['name'])}: {_verdict(scene['verdict'])}</h3>\n"
-    for result in scene["results"]:
-        if result["right"]:
-            continue
-        body += f"<p><strong>{html.escape(result['name'])}.</strong> {html.escape(result['message'])}</p>\n"
-        if kind := result.get("kind_of_wrong"):
-            body += _paragraph(f"It looks {kind}.")
-        body += _pictures(f"{entry['id']}/{scene['number']}", result.get("pictures", {}))
-        if grid := result.get("grid"):
-            body += _paragraph("Each pixel: # drawn, ? missing, ! extra, x another value.") + _pre(grid)
+    wrong = [_wrong_result(entry, scene, result) for result in scene["results"] if not result["right"]]
+    body += "".join(wrong[:SHOWN_AT_ONCE])
+    if rest := wrong[SHOWN_AT_ONCE:]:
+        body += f"<details><summary>and {len(rest)} more</summary>\n{''.join(rest)}</details>\n"
     if not scene["results"]:
         body += _paragraph(scene["message"])
     if scene["printed"] and scene["verdict"] != "right":
         body += "<details><summary>what the program printed</summary>\n" + _pre(scene["printed"]) + "</details>\n"
+    return body
+
+
+def _wrong_result(entry: Json, scene: Json, result: Json) -> str:
+    body = f"<p><strong>{html.escape(result['name'])}.</strong> {html.escape(result['message'])}</p>\n"
+    if kind := result.get("kind_of_wrong"):
+        body += _paragraph(f"It looks {kind}.")
+    body += _pictures(f"{entry['id']}/{scene['number']}", result.get("pictures", {}))
+    if grid := result.get("grid"):
+        body += _paragraph("Each pixel: # drawn, ? missing, ! extra, x another value.") + _pre(grid)
     return body
 
 

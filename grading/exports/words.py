@@ -7,7 +7,7 @@ def explanation(entry: Json) -> str:
     """What a student reads of an exercise, as plain text."""
     lines = [entry["message"]] if entry["message"] else []
     if mistake := entry["mistake"]:
-        lines += [f"This looks like: {mistake['title']}.", f"The contract says: {mistake['breaks']}"]
+        lines += [f"This looks like: {mistake['title']}.", f"The contract says: “{mistake['breaks']}”"]
     if entry["verdict"] not in ("right", "by hand"):
         lines.append(f"Read {entry['section']}, and {entry['contract']}.")
     if entry["compiler"]:
