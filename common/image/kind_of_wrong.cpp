@@ -171,13 +171,11 @@ void try_channels(const Pair& pair, Search& search) {
 
 // --- Shifted ---
 
-/// "half a pixel", "a pixel", "1.5 pixels".
 std::string length_name(int half_pixels) {
-  if (half_pixels == 1) return "half a pixel";
-  if (half_pixels == 2) return "a pixel";
-  return std::to_string(half_pixels / 2) + (half_pixels % 2 == 0 ? " pixels" : ".5 pixels");
+  return half_pixels == 1 ? "half a pixel" : "a pixel";
 }
 
+/// By one or two halves of a pixel in x, y or both.
 std::string shift_name(int half_pixels_x, int half_pixels_y) {
   std::string name = "shifted by ";
   if (half_pixels_x != 0) {
@@ -269,7 +267,9 @@ Shift estimated_shift(const Pair& pair) {
   return shift;
 }
 
-/// The name of a shift by multiples of half a pixel; empty when the pictures differ otherwise.
+/// The name of a shift by half a pixel, or by one in x and half of one in y; empty when the
+/// pictures differ otherwise. Where a part too many was drawn, least squares would walk on toward
+/// it: what is further than smoothing reaches is no shift.
 std::string half_pixel_shift(const Pair& pair) {
   // Measured with random triangles: a shift leaves 0.05 to 0.5, a missing triangle 0.7 to 1.
   constexpr double most_left = 0.5;
@@ -279,7 +279,9 @@ std::string half_pixel_shift(const Pair& pair) {
   const int x = cvRound(2 * shift.x);
   const int y = cvRound(2 * shift.y);
   const double off = std::max(std::abs(shift.x - x / 2.0), std::abs(shift.y - y / 2.0));
-  return shift.left <= most_left && off <= exactness && (x != 0 || y != 0) ? shift_name(x, y) : "";
+  const int furthest = std::max(std::abs(x), std::abs(y));
+  const bool shifted = shift.left <= most_left && off <= exactness;
+  return shifted && furthest >= 1 && furthest <= 2 ? shift_name(x, y) : "";
 }
 
 // --- Other values in the right places ---

@@ -6,8 +6,10 @@
 
 #include "tests/image/corners.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <random>
 
@@ -220,6 +222,30 @@ TEST(stage01_kind_of_wrong, what_has_no_name_gets_none) {
     one_wrong(50, 40).g ^= 0x80U;
     EXPECT_EQ(kind_of_wrong(one_wrong, right), "") << seed;
   }
+}
+
+/// A triangle bounded by some of its sides, as where the third weight is not tested.
+Image<Rgb8> bounded_by(std::initializer_list<int> sides) {
+  const std::array<std::array<int, 2>, 3> corners = {{{12, 4}, {50, 14}, {20, 48}}};
+  Image<Rgb8> image(60, 60);
+  for (int y = 4; y <= 48; ++y) {
+    for (int x = 12; x <= 50; ++x) {
+      const bool covered = std::all_of(sides.begin(), sides.end(), [&](int side) {
+        const auto& [ax, ay] = corners[static_cast<std::size_t>(side)];
+        const auto& [bx, by] = corners[static_cast<std::size_t>((side + 1) % 3)];
+        return (bx - ax) * (y - ay) - (by - ay) * (x - ax) >= 0;
+      });
+      if (covered) image(x, y) = {255, 255, 255};
+    }
+  }
+  return image;
+}
+
+TEST(stage01_kind_of_wrong, a_side_left_out_is_no_shift) {
+  const Image<Rgb8> right = bounded_by({0, 1, 2});
+  EXPECT_EQ(kind_of_wrong(bounded_by({0, 1}), right), "");
+  EXPECT_EQ(kind_of_wrong(bounded_by({0, 2}), right), "");
+  EXPECT_EQ(kind_of_wrong(bounded_by({1, 2}), right), "");
 }
 
 TEST(stage01_kind_of_wrong, small_and_strange_pictures) {
