@@ -212,8 +212,7 @@ def check_stages(said: str, exercises: list[Exercise]) -> None:
 
 
 def _tool(command: list[str], folder: pathlib.Path, what: str) -> str:
-    environment = {**os.environ, "CCACHE_BASEDIR": str(folder), "CCACHE_NOHASHDIR": "1"}
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, env=environment)
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise GradingError(f"{what} failed:\n{(done.stdout + done.stderr)[-4000:]}")
     return done.stdout + done.stderr

@@ -141,8 +141,9 @@ class Kit:
             return
         folder.mkdir(exist_ok=True)
         (folder / "headers.hxx").write_text(text)
-        run_tool(["c++", *self.compile_flags, "-x", "c++-header", str(folder / "headers.hxx"), "-o",
-                  str(folder / "headers.hxx.gch")], "precompiling headers")
+        # By its name alone: where this tree is, is not for a student to read in what the compiler says.
+        run_tool(["c++", *self.compile_flags, "-x", "c++-header", "headers.hxx", "-o", "headers.hxx.gch"],
+                 "precompiling headers", folder)
         (folder / "key").write_text(key)
 
     def _make_archives(self) -> None:
