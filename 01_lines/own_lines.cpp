@@ -2,7 +2,7 @@
 
 #include "common/image/check.h"
 #include "common/lines/draw_line_gradient.h"
-#include "common/lines/draw_line_runs.h"
+#include "common/lines/draw_line_list.h"
 #include "common/lines/draw_pixels.h"
 #include "common/lines/line_ladder.h"
 #include "common/lines/line_steps.h"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -52,39 +53,59 @@ class LineDrawing {
     const Point p0 = point_at(row, 0);
     const Point p1 = point_at(row, 2);
     const Color c0 = row.numbers.size() >= 7 ? color_at(row, 4) : Color(1, 1, 1);
-    const std::int64_t before = pixels_;
+    ++lines_;
     if (row.numbers.size() == 10) {
+      draw_waiting();
       const StepRange visible = LineSteps(p0, p1).inside(image_.width(), image_.height());
-      pixels_ += std::max<std::int64_t>(visible.last - visible.first + 1, 0);
+      count({std::max<std::int64_t>(visible.last - visible.first + 1, 0), visible.empty() ? 0 : 1});
       draw_line_gradient(image_, p0, c0, p1, color_at(row, 7));
     } else if (&rung_ == &line_ladder.back()) {
-      pixels_ += draw_line_runs(image_, p0, p1, to_rgb8(c0));
+      wait({p0, p1}, to_rgb8(c0));
     } else {
       if (LineSteps(p0, p1).last() >= longest_naive) {
         row.fail("expected at most 2^26 pixels, as " + std::string(rung_.name) +
                  " walks the whole line");
       }
-      pixels_ += draw_pixels(image_, rung_.line(p0, p1), to_rgb8(c0));
+      const std::int64_t pixels = draw_pixels(image_, rung_.line(p0, p1), to_rgb8(c0));
+      count({pixels, pixels > 0 ? 1 : 0});
     }
-    ++lines_;
-    if (pixels_ == before) ++outside_;
   }
 
-  void finish(Run& run) const {
+  void finish(Run& run) {
+    draw_waiting();
     run.statistics()["lines"] = lines_;
-    run.statistics()["lines_outside"] = outside_;
-    run.statistics()["pixels"] = pixels_;
+    run.statistics()["lines_outside"] = lines_ - drawn_.lines;
+    run.statistics()["pixels"] = drawn_.pixels;
     run.picture("lines", image_);
   }
 
  private:
   static constexpr std::int64_t longest_naive = std::int64_t{1} << 26;
+  static constexpr std::size_t longest_list = std::size_t{1} << 20;
+
+  /// Lines of one colour that follow each other are drawn together.
+  void wait(const Segment& segment, const Rgb8& color) {
+    if (color != color_ || waiting_.size() == longest_list) draw_waiting();
+    color_ = color;
+    waiting_.push_back(segment);
+  }
+
+  void draw_waiting() {
+    count(draw_line_list(image_, waiting_, color_));
+    waiting_.clear();
+  }
+
+  void count(const DrawnLines& drawn) {
+    drawn_.pixels += drawn.pixels;
+    drawn_.lines += drawn.lines;
+  }
 
   const LineRung& rung_;
   Image<Rgb8> image_;
+  std::vector<Segment> waiting_;
+  Rgb8 color_;
   std::int64_t lines_ = 0;
-  std::int64_t outside_ = 0;
-  std::int64_t pixels_ = 0;
+  DrawnLines drawn_;
 };
 
 }  // namespace

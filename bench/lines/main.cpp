@@ -1,5 +1,6 @@
 // bench_01_lines: the ladder of exercise 01.5, and the quick lines against OpenCV's.
 #include "common/lines/bresenham.h"
+#include "common/lines/draw_line_list.h"
 #include "common/lines/draw_line_runs.h"
 #include "common/lines/draw_pixels.h"
 #include "common/lines/line_faults.h"
@@ -89,11 +90,9 @@ TimedLadder segment_ladder(const std::string& input, const std::vector<Segment>&
 
 enum class Direction { flat, steep, any };
 
-/// Segments of `length` pixels anywhere inside the image; many, lest the processor learn the way of
-/// each by heart, but not so many that the list of what they touch would crowd the image out of the
-/// caches.
-std::vector<Segment> segments_inside(int length, Direction direction, const Image<Rgb8>& image) {
-  const auto count = static_cast<std::size_t>(std::clamp(400000 / length, 400, 4096));
+/// Segments of `length` pixels anywhere inside the image.
+std::vector<Segment> segments_inside(std::size_t count, int length, Direction direction,
+                                     const Image<Rgb8>& image) {
   std::mt19937 random(1);
   std::vector<Segment> segments;
   while (segments.size() < count) {
@@ -123,24 +122,45 @@ double difference(const Image<Rgb8>& drawn, const std::vector<Segment>& segments
   return 1e6 * different / covered;
 }
 
-/// The quick lines and OpenCV's into one picture, and what the picture's memory alone takes.
-TimedLadder race(int length, Direction direction) {
+Errors judged(Image<Rgb8>& image, const std::vector<Segment>& segments,
+              const std::function<void()>& draw) {
+  image.clear({});
+  draw();
+  return {{"different pixels per million", difference(image, segments)}};
+}
+
+TimedRung peer_rung(Image<Rgb8>& image, const std::vector<Segment>& segments) {
+  const std::function<void()> peer = opencv_lines(image, segments, color);
+  return {.name = "cv::line",
+          .fault = "breaks ties its own way",
+          .work = peer,
+          .errors = judged(image, segments, peer),
+          .role = Role::peer};
+}
+
+TimedRung one_by_one_rung(const std::shared_ptr<Image<Rgb8>>& image,
+                          const std::vector<Segment>& segments) {
+  const auto draw = [image, segments] {
+    for (const auto& [p0, p1] : segments) draw_line_runs(*image, p0, p1, color);
+  };
+  return {.name = "draw_line_runs",
+          .fault = "none",
+          .work = draw,
+          .errors = judged(*image, segments, draw)};
+}
+
+/// The quick lines and OpenCV's into one picture, one call a line, and what the picture's memory
+/// alone takes. Many lines, lest the processor learn the way of each by heart, but not so many that
+/// the list of what they touch would crowd the picture out of the caches.
+TimedLadder race_of_calls(int length, Direction direction) {
   const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
-  const std::vector<Segment> segments = segments_inside(length, direction, *image);
+  const std::vector<Segment> segments = segments_inside(
+      static_cast<std::size_t>(std::clamp(400000 / length, 400, 4096)), length, direction, *image);
   MemoryLimit limit(*image);
   for (const auto& [p0, p1] : segments) {
     for (const Point& pixel : line_bresenham(p0, p1))
       limit.add(std::ptrdiff_t{pixel.y()} * image->width() + pixel.x(), 1);
   }
-  const std::function<void()> peer = opencv_lines(*image, segments, color);
-  const auto quick = [image, segments] {
-    for (const auto& [p0, p1] : segments) draw_line_runs(*image, p0, p1, color);
-  };
-  const auto judged = [&](const std::function<void()>& draw) -> Errors {
-    image->clear({});
-    draw();
-    return {{"different pixels per million", difference(*image, segments)}};
-  };
   const char* const directions[] = {"flat", "steep", "any"};
   return {.name = "lines of " + std::to_string(length) + " pixels, " +
                   directions[static_cast<int>(direction)] + " direction",
@@ -148,18 +168,37 @@ TimedLadder race(int length, Direction direction) {
           .unit = "line",
           .units = static_cast<double>(segments.size()),
           .error = "different pixels per million",
-          .rungs = {
-              {.name = "one byte a cache line",
-               .fault = "draws nothing: what the memory takes",
-               .work = limit,
-               .errors = {},
-               .role = Role::limit},
-              {.name = "cv::line",
-               .fault = "breaks ties its own way",
-               .work = peer,
-               .errors = judged(peer),
-               .role = Role::peer},
-              {.name = "draw_line_runs", .fault = "none", .work = quick, .errors = judged(quick)}}};
+          .rungs = {{.name = "one byte a cache line",
+                     .fault = "draws nothing: what the memory takes",
+                     .work = limit,
+                     .errors = {},
+                     .role = Role::limit},
+                    peer_rung(*image, segments),
+                    one_by_one_rung(image, segments)}};
+}
+
+/// The same of lists of ten million pixels, which are drawn by one call, too.
+TimedLadder race_of_lists(int length) {
+  const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
+  const auto count = static_cast<std::size_t>(10'000'000 / length);
+  const std::vector<Segment> segments = segments_inside(count, length, Direction::any, *image);
+  TimedLadder ladder{.name = "list of " + std::to_string(count) + " lines of " +
+                             std::to_string(length) + " pixels, any direction",
+                     .stage = "01",
+                     .unit = "line",
+                     .units = static_cast<double>(segments.size()),
+                     .error = "different pixels per million",
+                     .rungs = {peer_rung(*image, segments)}};
+  for (const LineListWay& way : line_list_ways()) {
+    const auto draw = [image, segments, draw_list = way.draw] {
+      draw_list(*image, segments, color);
+    };
+    ladder.rungs.push_back({.name = std::string("draw_line_list, ") + way.name,
+                            .fault = "none",
+                            .work = draw,
+                            .errors = judged(*image, segments, draw)});
+  }
+  return ladder;
 }
 
 std::vector<MakeLadder> ladders() {
@@ -167,10 +206,11 @@ std::vector<MakeLadder> ladders() {
       [] { return segment_ladder("all 1681 within 20 pixels", short_segments()); },
       [] { return segment_ladder("1000 within 500 pixels", random_segments(1000, 500)); },
       [] { return segment_ladder("20 within 50000 pixels", random_segments(20, 50000)); }};
+  for (const int length : {10, 100, 1000})
+    all.emplace_back([length] { return race_of_lists(length); });
   for (const Direction direction : {Direction::any, Direction::flat, Direction::steep}) {
-    for (const int length : {10, 100, 1000}) {
-      all.emplace_back([length, direction] { return race(length, direction); });
-    }
+    for (const int length : {10, 100, 1000})
+      all.emplace_back([length, direction] { return race_of_calls(length, direction); });
   }
   return all;
 }

@@ -12,8 +12,8 @@
 #include <cstring>
 
 namespace rasterlab {
-// <solution>
 namespace {
+// <solution>
 
 /// Where a walk goes from pixel to pixel: a step along the longer side, or one that leads across as
 /// well whenever adding `slope` to `offset` carries over from 2^64. Steps are in bytes.
@@ -241,11 +241,11 @@ void draw_run_by_run(const VisibleSteps& steps, const Rgb8& color) {
   return steps.count();
 }
 
-}  // namespace
 // </solution>
 
-std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1,
-                            const Rgb8& color) {
+/// Part of its callers: a call takes a fifth of the time of ten pixels.
+[[gnu::always_inline]] inline std::int64_t draw_runs(Image<Rgb8>& image, const Point& p0,
+                                                     const Point& p1, const Rgb8& color) {
   // <solution>
   const std::int64_t dx = std::int64_t{p1.x()} - p0.x();
   const std::int64_t dy = std::int64_t{p1.y()} - p0.y();
@@ -264,6 +264,24 @@ std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1
   // <starter> }
   // <starter> return drawn;
   // </solution>
+}
+
+}  // namespace
+
+std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1,
+                            const Rgb8& color) {
+  return draw_runs(image, p0, p1, color);
+}
+
+DrawnLines draw_line_runs(Image<Rgb8>& image, std::span<const Segment> segments,
+                          const Rgb8& color) {
+  DrawnLines drawn;
+  for (const auto& [p0, p1] : segments) {
+    const std::int64_t pixels = draw_runs(image, p0, p1, color);
+    drawn.pixels += pixels;
+    drawn.lines += pixels > 0 ? 1 : 0;
+  }
+  return drawn;
 }
 
 }  // namespace rasterlab

@@ -3,9 +3,10 @@
 
 #include "common/image/image.h"
 #include "common/image/pixel.h"
-#include "common/lines/line_discrete.h"
+#include "common/lines/segment.h"
 
 #include <cstdint>
+#include <span>
 
 namespace rasterlab {
 
@@ -14,5 +15,16 @@ namespace rasterlab {
 /// nothing.
 std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1,
                             const Rgb8& color);
+
+/// What was drawn of several segments.
+struct DrawnLines {
+  std::int64_t pixels = 0;  ///< inside the image; one that several segments share counts for each
+  std::int64_t lines = 0;   ///< segments that have such pixels
+
+  friend bool operator==(const DrawnLines&, const DrawnLines&) = default;
+};
+
+/// The same of several, one by one.
+DrawnLines draw_line_runs(Image<Rgb8>& image, std::span<const Segment> segments, const Rgb8& color);
 
 }  // namespace rasterlab

@@ -3,18 +3,13 @@
 
 #include "common/lines/line_discrete.h"
 #include "common/lines/line_ladder.h"
+#include "common/lines/segment.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace rasterlab {
-
-/// A segment by its ends.
-struct Segment {
-  Point p0;
-  Point p1;
-};
 
 /// Faults of a line against the exact segment; of many lines, the largest distance and the sums of
 /// the rest.

@@ -1,5 +1,6 @@
 #include "common/triangles/fill_spans.h"
 
+#include "common/lines/avx512.h"
 #include "common/lines/color_run.h"
 #include "common/triangles/fill_spans_avx512.h"
 #include "common/triangles/spans.h"

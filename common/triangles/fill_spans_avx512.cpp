@@ -8,22 +8,12 @@
 // are.
 #include "common/triangles/fill_spans_avx512.h"
 
+#include "common/lines/avx512.h"
+
 #if defined(__x86_64__)
 
 #include <algorithm>
 #include <array>
-
-// g++ 12 takes the header's way to say "whatever value" for a mistake (GCC bug 105593).
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#ifndef __clang__
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <immintrin.h>
-#pragma GCC diagnostic pop
-
-// Only these functions are compiled for it, so that a binary runs on any processor.
-#define RASTERLAB_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,bmi2")))
 
 namespace rasterlab {
 namespace {
@@ -134,19 +124,6 @@ RASTERLAB_AVX512 inline Spans spans_of(const std::array<Side, 3>& sides, __m256i
   return {first, _mm256_max_epi32(_mm256_sub_epi32(past, first), _mm256_setzero_si256())};
 }
 
-/// 0, 1, 2, 0, 1, 2 …
-alignas(64) constexpr auto channels = [] {
-  std::array<std::uint8_t, 64> which{};
-  for (std::size_t i = 0; i < which.size(); ++i) which[i] = static_cast<std::uint8_t>(i % 3);
-  return which;
-}();
-
-/// A colour's three bytes over and over.
-RASTERLAB_AVX512 inline __m512i color_pattern(const Rgb8& color) {
-  return _mm512_shuffle_epi8(_mm512_set1_epi32(color.r | color.g << 8 | color.b << 16),
-                             _mm512_load_si512(channels.data()));
-}
-
 /// Writes a row of any length, `bytes` of them.
 RASTERLAB_AVX512 inline void store_row(std::uint8_t* row, int bytes, __m512i pattern) {
   for (; bytes > 3 * widest_store; bytes -= 3 * widest_store, row += 3 * widest_store)
@@ -178,13 +155,6 @@ RASTERLAB_AVX512 inline void store_rows(std::uint8_t* image, const Places& place
 }
 
 }  // namespace
-
-bool has_avx512() {
-  static const bool has = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                          __builtin_cpu_supports("avx512dq") &&
-                          __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("bmi2");
-  return has;
-}
 
 RASTERLAB_AVX512 std::int64_t fill_spans_avx512(Image<Rgb8>& image, const Corners& corners,
                                                 const Rgb8& color) {
@@ -231,10 +201,6 @@ RASTERLAB_AVX512 std::int64_t fill_spans_avx512(Image<Rgb8>& image, const Corner
 #else
 
 namespace rasterlab {
-
-bool has_avx512() {
-  return false;
-}
 
 std::int64_t fill_spans_avx512(Image<Rgb8>&, const Corners&, const Rgb8&) {
   return 0;

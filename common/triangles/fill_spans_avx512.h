@@ -9,9 +9,6 @@
 
 namespace rasterlab {
 
-/// Whether this processor has what fill_spans_avx512() needs.
-bool has_avx512();
-
 /// What fill_spans() does, for corners within ±32768 pixels. Only where has_avx512().
 std::int64_t fill_spans_avx512(Image<Rgb8>& image, const Corners& corners, const Rgb8& color);
 

@@ -1,8 +1,11 @@
 // Pictures: exercises 01.2, 01.3, 01.7, 01.10 and 01.11, and the quick lines.
+#include "common/lines/avx512.h"
 #include "common/lines/bresenham.h"
 #include "common/lines/color_run.h"
 #include "common/lines/draw_line.h"
 #include "common/lines/draw_line_gradient.h"
+#include "common/lines/draw_line_list.h"
+#include "common/lines/draw_line_list_avx512.h"
 #include "common/lines/draw_line_runs.h"
 #include "common/lines/draw_pixels.h"
 #include "common/lines/draw_wireframe.h"
@@ -321,6 +324,88 @@ TEST(stage01_draw_line_runs, are_exact_along_their_whole_length) {
       }
     }
   }
+}
+
+/// Every way to draw a list, on a picture that has something in it already.
+void expect_drawn_as_one_by_one(const std::vector<Segment>& segments, int width, int height) {
+  const Rgb8 color{10, 20, 30};
+  Image<Rgb8> before(width, height);
+  for (std::size_t i = 0; i < before.pixels().size(); ++i)
+    before.pixels()[i].g = static_cast<std::uint8_t>(i * 7);
+  Image<Rgb8> expected = before;
+  DrawnLines drawn;
+  for (const auto& [p0, p1] : segments) {
+    const std::int64_t pixels = draw_line_runs(expected, p0, p1, color);
+    drawn.pixels += pixels;
+    drawn.lines += pixels > 0 ? 1 : 0;
+  }
+  std::vector<LineListWay> ways = line_list_ways();
+  // Lists that are too short to be worth marks are marked all the same.
+  if (has_avx512() && std::min(width, height) >= 64)
+    ways.push_back({"marks", &draw_line_list_avx512});
+  for (const LineListWay& way : ways) {
+    Image<Rgb8> image = before;
+    EXPECT_EQ(way.draw(image, segments, color), drawn) << way.name;
+    EXPECT_TRUE(image == expected)
+        << way.name << ", " << segments.size() << " segments, " << width << " x " << height;
+  }
+}
+
+TEST(stage01_draw_line_list, each_segment_from_a_pixel) {
+  for (int x = 0; x < 64; ++x) {
+    for (int y = 0; y < 70; ++y) expect_drawn_as_one_by_one({{{31, 40}, {x, y}}}, 64, 70);
+  }
+}
+
+TEST(stage01_draw_line_list, any_segment_of_an_image) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const int width = 64 + static_cast<int>(random() % 80U);
+    const int height = 64 + static_cast<int>(random() % 80U);
+    const auto pixel = [&] {
+      return Point(static_cast<int>(random() % static_cast<unsigned>(width)),
+                   static_cast<int>(random() % static_cast<unsigned>(height)));
+    };
+    expect_drawn_as_one_by_one({{pixel(), pixel()}}, width, height);
+  }
+}
+
+TEST(stage01_draw_line_list, segments_inside_across_and_outside) {
+  std::mt19937 random(9);
+  for (const int reach : {3, 20, 70, 300}) {
+    for (const auto& [width, height] : {std::pair{64, 64}, {65, 127}, {200, 71}, {63, 300}}) {
+      std::vector<Segment> segments;
+      for (int i = 0; i < 40000 / reach; ++i) {
+        const auto within = [&random](int size) {
+          return static_cast<int>(random() % static_cast<unsigned>(size));
+        };
+        const Point p0(within(width), within(height));
+        const Point away(within(2 * reach + 1) - reach, within(2 * reach + 1) - reach);
+        segments.push_back({p0, p0 + away});
+      }
+      segments.push_back({{-far, -far}, {far, far - 1}});
+      segments.push_back({{-far, 5}, {far, 5}});
+      segments.push_back({{far, far}, {far, far}});
+      expect_drawn_as_one_by_one(segments, width, height);
+    }
+  }
+}
+
+TEST(stage01_draw_line_list, long_segments_from_edge_to_edge) {
+  std::vector<Segment> segments;
+  for (int i = 0; i < 64; ++i) {
+    segments.push_back({{0, i}, {32767, 63 - i}});
+    segments.push_back({{32767 - i, i}, {100, 0}});
+    segments.push_back({{i * 500, 0}, {i * 500 + i, 63}});
+  }
+  expect_drawn_as_one_by_one(segments, 32768, 64);
+  expect_drawn_as_one_by_one(segments, 32769, 64);
+}
+
+TEST(stage01_draw_line_list, few_and_none) {
+  expect_drawn_as_one_by_one({}, 70, 70);
+  expect_drawn_as_one_by_one({{{1, 2}, {30, 9}}, {{-5, -5}, {-1, 0}}}, 70, 70);
+  expect_drawn_as_one_by_one({{{1, 2}, {30, 9}}}, 0, 0);
 }
 
 TEST(stage01_color_run, sets_its_pixels_and_no_others) {
