@@ -1,11 +1,11 @@
 // 02_triangles --triangles FILE --coverage FILE.pgm.
+#include "tests/support/own_triangles.h"
+
 #include "common/image/files.h"
 #include "common/triangles/fill_ladder.h"
 
 #include "tests/oracle/exact_triangle.h"
 #include "tests/support/picture_text.h"
-#include "tests/support/process.h"
-#include "tests/support/scratch.h"
 
 #include <algorithm>
 #include <random>
@@ -21,24 +21,12 @@ namespace {
 
 using testing::HasSubstr;
 
-class stage02_own_triangles : public testing::Test {
+class stage02_own_triangles : public OwnTriangles {
  protected:
-  const ScratchFolder scratch_;
-
-  ProcessResult draw(const std::string& content, const std::string& size = "12x7",
-                     std::vector<std::string> more = {}) {
-    write_file(scratch_ / "triangles.txt", content);
-    std::vector<std::string> command{program("02_triangles"),
-                                     "--triangles",
-                                     "triangles.txt",
-                                     "--coverage",
-                                     "coverage.pgm",
-                                     "--size",
-                                     size,
-                                     "--out",
-                                     "out.png"};
-    command.insert(command.end(), more.begin(), more.end());
-    return run_process(command, {.folder = scratch_.path()});
+  ProcessResult draw(const std::string& rows, const std::string& size = "12x7",
+                     std::vector<std::string> flags = {}) const {
+    flags.insert(flags.begin(), {"--coverage", "coverage.pgm", "--size", size});
+    return draw_rows("02_triangles", rows, flags);
   }
 
   Image<std::uint16_t> coverage() const {

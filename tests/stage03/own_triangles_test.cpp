@@ -1,9 +1,8 @@
 // 03_zbuffer --triangles FILE --algorithm NAME.
+#include "tests/support/own_triangles.h"
+
 #include "common/image/files.h"
 #include "common/zbuffer/visibility.h"
-
-#include "tests/support/process.h"
-#include "tests/support/scratch.h"
 
 #include <algorithm>
 #include <random>
@@ -19,21 +18,11 @@ namespace {
 
 using testing::HasSubstr;
 
-class stage03_own_triangles : public testing::Test {
+class stage03_own_triangles : public OwnTriangles {
  protected:
-  const ScratchFolder scratch_;
-
-  ProcessResult draw(const std::string& content, std::vector<std::string> more = {}) {
-    write_file(scratch_ / "triangles.txt", content);
-    std::vector<std::string> command{program("03_zbuffer"),
-                                     "--triangles",
-                                     "triangles.txt",
-                                     "--size",
-                                     "40x30",
-                                     "--out",
-                                     "out.png"};
-    command.insert(command.end(), more.begin(), more.end());
-    return run_process(command, {.folder = scratch_.path()});
+  ProcessResult draw(const std::string& rows, std::vector<std::string> flags = {}) const {
+    flags.insert(flags.begin(), {"--size", "40x30"});
+    return draw_rows("03_zbuffer", rows, flags);
   }
 
   Image<Rgb8> picture(const std::string& content, std::vector<std::string> more = {}) {
