@@ -57,7 +57,7 @@ class LineDrawing {
     if (row.numbers.size() == 10) {
       draw_waiting();
       const StepRange visible = LineSteps(p0, p1).inside(image_.width(), image_.height());
-      count({std::max<std::int64_t>(visible.last - visible.first + 1, 0), visible.empty() ? 0 : 1});
+      drawn_.add(std::max<std::int64_t>(visible.last - visible.first + 1, 0));
       draw_line_gradient(image_, p0, c0, p1, color_at(row, 7));
     } else if (&rung_ == &line_ladder.back()) {
       wait({p0, p1}, to_rgb8(c0));
@@ -66,8 +66,7 @@ class LineDrawing {
         row.fail("expected at most 2^26 pixels, as " + std::string(rung_.name) +
                  " walks the whole line");
       }
-      const std::int64_t pixels = draw_pixels(image_, rung_.line(p0, p1), to_rgb8(c0));
-      count({pixels, pixels > 0 ? 1 : 0});
+      drawn_.add(draw_pixels(image_, rung_.line(p0, p1), to_rgb8(c0)));
     }
   }
 
@@ -91,13 +90,10 @@ class LineDrawing {
   }
 
   void draw_waiting() {
-    count(draw_line_list(image_, waiting_, color_));
-    waiting_.clear();
-  }
-
-  void count(const DrawnLines& drawn) {
+    const DrawnLines drawn = draw_line_list(image_, waiting_, color_);
     drawn_.pixels += drawn.pixels;
     drawn_.lines += drawn.lines;
+    waiting_.clear();
   }
 
   const LineRung& rung_;

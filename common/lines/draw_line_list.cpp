@@ -16,19 +16,21 @@ DrawnLines draw_one_by_one(Image<Rgb8>& image, std::span<const Segment> segments
 }
 
 /// Whether a list is worth a pass over the image: with more pixels than that, and segments that are
-/// not so short that they are as quickly drawn one by one.
+/// not so short that they are as quickly drawn one by one. Judged by its first thousand.
 bool is_long(std::span<const Segment> segments, const Image<Rgb8>& image) {
   constexpr int shortest_side = 64;
   constexpr std::int64_t short_segment = 32;
+  const std::span<const Segment> some =
+      segments.first(std::min<std::size_t>(segments.size(), 1000));
   std::int64_t pixels = 0;
-  for (const auto& [p0, p1] : segments) {
+  for (const auto& [p0, p1] : some) {
     const std::int64_t width = std::abs(std::int64_t{p1.x()} - p0.x());
     const std::int64_t height = std::abs(std::int64_t{p1.y()} - p0.y());
     pixels += std::max(width, height) + 1;
   }
-  return std::min(image.width(), image.height()) >= shortest_side &&
-         pixels > std::int64_t{image.width()} * image.height() &&
-         pixels > short_segment * static_cast<std::int64_t>(segments.size());
+  const std::int64_t pixels_each = pixels / std::max<std::int64_t>(std::ssize(some), 1);
+  return std::min(image.width(), image.height()) >= shortest_side && pixels_each > short_segment &&
+         pixels_each * std::ssize(segments) > std::int64_t{image.width()} * image.height();
 }
 
 /// Segments of one colour may be drawn in any order, and need not be drawn one by one.

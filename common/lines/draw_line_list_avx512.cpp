@@ -205,8 +205,7 @@ RASTERLAB_AVX512 DrawnLines mark(Image<Rgb8>& image, std::span<const Segment> se
       } else {
         pixels = draw_line_runs(image, from[i].p0, from[i].p1, color);
       }
-      drawn.pixels += pixels;
-      drawn.lines += pixels > 0 ? 1 : 0;
+      drawn.add(pixels);
     }
   }
   return drawn;

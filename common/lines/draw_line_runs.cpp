@@ -276,11 +276,7 @@ std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1
 DrawnLines draw_line_runs(Image<Rgb8>& image, std::span<const Segment> segments,
                           const Rgb8& color) {
   DrawnLines drawn;
-  for (const auto& [p0, p1] : segments) {
-    const std::int64_t pixels = draw_runs(image, p0, p1, color);
-    drawn.pixels += pixels;
-    drawn.lines += pixels > 0 ? 1 : 0;
-  }
+  for (const auto& [p0, p1] : segments) drawn.add(draw_runs(image, p0, p1, color));
   return drawn;
 }
 

@@ -21,6 +21,11 @@ struct DrawnLines {
   std::int64_t pixels = 0;  ///< inside the image; one that several segments share counts for each
   std::int64_t lines = 0;   ///< segments that have such pixels
 
+  void add(std::int64_t pixels_of_a_line) {
+    pixels += pixels_of_a_line;
+    lines += pixels_of_a_line > 0 ? 1 : 0;
+  }
+
   friend bool operator==(const DrawnLines&, const DrawnLines&) = default;
 };
 

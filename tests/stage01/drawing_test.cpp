@@ -334,11 +334,7 @@ void expect_drawn_as_one_by_one(const std::vector<Segment>& segments, int width,
     before.pixels()[i].g = static_cast<std::uint8_t>(i * 7);
   Image<Rgb8> expected = before;
   DrawnLines drawn;
-  for (const auto& [p0, p1] : segments) {
-    const std::int64_t pixels = draw_line_runs(expected, p0, p1, color);
-    drawn.pixels += pixels;
-    drawn.lines += pixels > 0 ? 1 : 0;
-  }
+  for (const auto& [p0, p1] : segments) drawn.add(draw_line_runs(expected, p0, p1, color));
   std::vector<LineListWay> ways = line_list_ways();
   // Lists that are too short to be worth marks are marked all the same.
   if (has_avx512() && std::min(width, height) >= 64)
