@@ -1,6 +1,7 @@
 // The front end: from clusters of triangles to bins of what may be seen in each tile.
 #include "common/engine/binning.h"
 #include "common/engine/facing_away.h"
+#include "common/engine/folded_parts.h"
 #include "common/engine/hidden_clusters.h"
 #include "common/engine/simd_kernels.h"
 
@@ -97,20 +98,15 @@ void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Bi
     y[c] = part.snapped[c].y;
     depth[c] = part.corner[c]->reversed_depth();
   }
-  const std::int64_t area = twice_area(part.snapped[0], part.snapped[1], part.snapped[2]);
-  if (!any(kept_side(job.cull, Number(static_cast<float>(area))))) return;
-  if (area < 0) {
+  if (part.side() < 0) {
     std::swap(x[1], x[2]);
     std::swap(y[1], y[2]);
     std::swap(depth[1], depth[2]);
   }
-  const auto [low_x, high_x] = std::minmax({x[0], x[1], x[2]});
-  const auto [low_y, high_y] = std::minmax({y[0], y[1], y[2]});
-  const int left = std::max((low_x + 127) >> 8, 0);
-  const int right = std::min((high_x - 128) >> 8, job.frame.width() - 1);
-  const int top = std::max((low_y + 127) >> 8, 0);
-  const int bottom = std::min((high_y - 128) >> 8, job.frame.height() - 1);
-  if (left <= right && top <= bottom) binning.add_large(triangle, {left, right, top, bottom});
+  const PixelBounds pixels = pixels_of(part, job.frame);
+  if (pixels.left <= pixels.right && pixels.top <= pixels.bottom) {
+    binning.add_large(triangle, pixels);
+  }
 }
 
 /// Triangles that need clipping, one by one.
@@ -124,8 +120,17 @@ void bin_clipped(const DrawJob& job, const Clusters& clusters, const Cluster& cl
     }
   }
   const std::uint32_t key = job.first_key + clusters.triangle[index];
-  for_each_part(job.transform, clip_triangle(job.transform, positions),
-                [&](const ClippedPart& part) { bin_part(job, part, key, binning); });
+  const ClippedPolygon polygon = clip_triangle(job.transform, positions);
+  const ClippedParts parts = parts_of(job.transform, polygon);
+  if (!any(kept_side(job.cull, Number(static_cast<float>(parts.side))))) return;
+  if (parts.any_turned_over()) {
+    for_each_run(parts, job.frame, key,
+                 [&](const LargeTriangle& triangle, const PixelBounds& pixels) {
+                   binning.add_large(triangle, pixels);
+                 });
+    return;
+  }
+  for (const ClippedPart& part : parts.all()) bin_part(job, part, key, binning);
 }
 
 void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& cluster,

@@ -286,12 +286,13 @@ void VisibleTriangles::resolve_clipped_pixels() {
     }
     const ClippedPolygon polygon = clip_triangle(job_.transform, positions);
     varyings_.write(job_.shader, mesh_, triangle, hn::GetLane(order.first.v), corners.data());
-    for_each_part(job_.transform, polygon, [&](const ClippedPart& part) {
-      if (twice_area(part.snapped[0], part.snapped[1], part.snapped[2]) == 0) return;
+    const ClippedParts clipped = parts_of(job_.transform, polygon);
+    for (const ClippedPart& part : clipped.all()) {
+      if (part.side() != clipped.side) continue;
       parts.push_back(
           {static_cast<std::int32_t>(whole), static_cast<std::int32_t>(slot_count_), part.snapped});
       add_slot(part, corners.data());
-    });
+    }
   }
   divide_clipped_triangles(parts);
 }

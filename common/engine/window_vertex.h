@@ -6,6 +6,7 @@
 #include "common/engine/simd.h"
 
 #include <algorithm>
+#include <span>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -68,6 +69,7 @@ struct ClippedCorner {
 
 struct ClippedPolygon {
   static constexpr int capacity = 8;  // a triangle and one corner more for each of five planes
+  int side = 0;                       ///< of the whole triangle, as seen_side() says
   int size = 0;
   std::array<ClippedCorner, capacity> corner;
 
@@ -95,6 +97,7 @@ inline ClippedCorner cut(const ClippedCorner& inside, const ClippedCorner& outsi
 template <class Distance>
 ClippedPolygon clip_to_plane(const ClippedPolygon& polygon, Distance distance) {
   ClippedPolygon result;
+  result.side = polygon.side;
   for (int i = 0; i < polygon.size; ++i) {
     const ClippedCorner& a = polygon.corner[static_cast<std::size_t>(i)];
     const ClippedCorner& b = polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)];
@@ -122,6 +125,19 @@ inline ClippedCorner to_clipped_corner(const ClipTransform& transform,
   return {row(0), row(1), row(2), w, depth, w, 0, 0};
 }
 
+/// Which way round the corners go as they are seen, also behind the eye: 1 clockwise, −1
+/// counter-clockwise, 0 where the eye is in their plane as nearly as doubles can say.
+inline int seen_side(const ClippedCorner& a, const ClippedCorner& b, const ClippedCorner& c) {
+  const auto minor = [](float p, float q, float r, float s) {
+    return static_cast<double>(p) * static_cast<double>(s) -
+           static_cast<double>(q) * static_cast<double>(r);
+  };
+  const double determinant = static_cast<double>(a.x) * minor(b.y, b.w, c.y, c.w) +
+                             static_cast<double>(a.y) * minor(b.w, b.x, c.w, c.x) +
+                             static_cast<double>(a.w) * minor(b.x, b.y, c.x, c.y);
+  return determinant > 0 ? -1 : determinant < 0 ? 1 : 0;
+}
+
 /// What of a triangle is in front of the near plane and within the guard band, far outside the
 /// picture. Corners may be any floats.
 inline ClippedPolygon clip_triangle(const ClipTransform& transform,
@@ -133,6 +149,7 @@ inline ClippedPolygon clip_triangle(const ClipTransform& transform,
     corner.b2 = i == 2 ? 1 : 0;
     polygon.add(corner);
   }
+  polygon.side = seen_side(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
   const auto clip = [&](auto distance) { polygon = clip_to_plane(polygon, distance); };
   const float guard_x = transform.guard_x;
   const float guard_y = transform.guard_y;
@@ -149,10 +166,37 @@ struct SnappedCorner {
   std::int32_t x, y;
 };
 
+/// Twice the area of (a, b, c): positive when c is to the right of the way from a to b, y down.
+inline std::int64_t twice_area(const SnappedCorner& a, const SnappedCorner& b,
+                               const SnappedCorner& c) {
+  return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) -
+         static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
+}
+
 /// Three corners of a clipped polygon in the window.
 struct ClippedPart {
   std::array<const ClippedCorner*, 3> corner;
   std::array<SnappedCorner, 3> snapped;
+  std::int64_t area;  ///< twice; positive when they go clockwise, y down
+
+  int side() const { return area > 0 ? 1 : -1; }
+};
+
+/// The triangles that make up a clipped polygon, a fan, but those without area. Those not of the
+/// polygon's side were turned over by snapping, and are not to be drawn: they lie on others, of
+/// this triangle or of its neighbours (common/projection/cut_outline.h has the same rule).
+struct ClippedParts {
+  int side = 0;
+  int size = 0;
+  std::array<ClippedPart, ClippedPolygon::capacity - 2> part;
+
+  std::span<const ClippedPart> all() const {
+    return std::span(part).first(static_cast<std::size_t>(size));
+  }
+  bool any_turned_over() const {
+    return std::any_of(all().begin(), all().end(),
+                       [this](const ClippedPart& p) { return p.side() != side; });
+  }
 };
 
 /// False when rounding, or a corner that is no number, left it nowhere.
@@ -170,26 +214,25 @@ inline bool snap(const ClipTransform& transform, const ClippedCorner& c, Snapped
   return true;
 }
 
-/// Calls `visit(const ClippedPart&)` for the triangles that make up a clipped polygon.
-template <class Visit>
-void for_each_part(const ClipTransform& transform, const ClippedPolygon& polygon, Visit&& visit) {
+/// They point to the polygon's corners.
+inline ClippedParts parts_of(const ClipTransform& transform, const ClippedPolygon& polygon) {
+  ClippedParts parts;
+  double sum = 0;
   for (int i = 2; i < polygon.size; ++i) {
-    ClippedPart part;
+    ClippedPart& part = parts.part[static_cast<std::size_t>(parts.size)];
     part.corner = {&polygon.corner[0], &polygon.corner[static_cast<std::size_t>(i - 1)],
                    &polygon.corner[static_cast<std::size_t>(i)]};
     bool somewhere = true;
     for (std::size_t c = 0; c < 3; ++c) {
       somewhere = somewhere && snap(transform, *part.corner[c], part.snapped[c]);
     }
-    if (somewhere) visit(part);
+    if (!somewhere) continue;
+    part.area = twice_area(part.snapped[0], part.snapped[1], part.snapped[2]);
+    sum += static_cast<double>(part.area);
+    if (part.area != 0) ++parts.size;
   }
-}
-
-/// Twice the area of (a, b, c): positive when c is to the right of the way from a to b, y down.
-inline std::int64_t twice_area(const SnappedCorner& a, const SnappedCorner& b,
-                               const SnappedCorner& c) {
-  return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) -
-         static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
+  parts.side = polygon.side != 0 ? polygon.side : sum > 0 ? 1 : -1;
+  return parts;
 }
 
 }  // namespace rasterlab::RASTERLAB_SIMD

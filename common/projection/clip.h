@@ -52,9 +52,8 @@ ClipPolygon clip_near(const ClipTriangle& triangle, const Eigen::Vector2f& guard
 /// get the same point, to the last bit, and leave neither gap nor double. Weights are cut with the
 /// same t. Cost: five distances for each corner.
 ///
-/// Snapping to 1/256 pixel may turn over a sliver, or a piece of what a sliver is cut to: it then
-/// lies on its neighbours, and a pixel there is covered twice. That is no matter of clipping: it
-/// happens to triangles that are not cut as well.
+/// That holds for the cuts. What is thinner than the 1/256 pixel that corners are snapped to
+/// afterwards may turn over; of what has been cut, that part is not drawn (cut_outline.h).
 ///
 /// Known fault: where all three corners have |w| < 2⁻²²/g times the largest of their |x| and |y|,
 /// rounding moves a cut farther than the guard band is wide, and parts or all of the triangle are

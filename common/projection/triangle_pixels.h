@@ -5,12 +5,14 @@
 #include "common/mesh/cull.h"
 #include "common/mesh/shader_types.h"
 #include "common/projection/clip.h"
-#include "common/projection/vertex_stage.h"
+#include "common/projection/clip_piece.h"
+#include "common/projection/cut_outline.h"
 #include "common/triangles/rasterize.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <Eigen/Dense>
 
@@ -54,7 +56,7 @@ struct TriangleOptions {
 class SpaceWeights {
  public:
   /// Of the piece with these corners.
-  explicit SpaceWeights(const std::array<const ClipVertex*, 3>& piece) {
+  explicit SpaceWeights(const ClipPiece& piece) {
     for (int i = 0; i < 3; ++i) {
       const ClipVertex& vertex = *piece[static_cast<std::size_t>(i)];
       per_w_.col(i) = vertex.weights.cast<double>() / static_cast<double>(vertex.position.w());
@@ -84,27 +86,18 @@ class SpaceWeights {
   double sum_ = 1;
 };
 
-/// Whether a point of the window is where rasterize_triangle() takes it; NaN is not.
-inline bool in_raster_range(const Eigen::Vector2f& window) {
-  return std::abs(window.x()) <= max_coordinate && std::abs(window.y()) <= max_coordinate;
-}
-
 /// for_each_pixel() for one piece: three corners in front of the eye.
 template <class Visit>
-void for_each_pixel_of_piece(const std::array<const ClipVertex*, 3>& piece, int width, int height,
+void for_each_pixel_of_piece(const ClipPiece& piece, int width, int height,
                              const TriangleOptions& options, TriangleCounts& counts,
                              Visit&& visit) {
-  std::array<Eigen::Vector2f, 3> window;
-  std::array<double, 3> depth{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const WindowPoint point = to_window(piece[i]->position, width, height);
-    if (!(piece[i]->position.w() > 0) || !in_raster_range(point.position)) {
-      ++counts.off_range;
-      return;
-    }
-    window[i] = point.position;
-    depth[i] = point.depth;
+  const std::optional<PieceInWindow> seen = to_window(piece, width, height);
+  if (!seen) {
+    ++counts.off_range;
+    return;
   }
+  const std::array<Eigen::Vector2f, 3>& window = seen->position;
+  const std::array<double, 3>& depth = seen->depth;
   const SnappedTriangle snapped = snap(window);
   const std::int64_t area = cross(snapped[0], snapped[1], snapped[2]);  // y down: clockwise is > 0
   if (area == 0) {
@@ -130,7 +123,6 @@ void for_each_pixel_of_piece(const std::array<const ClipVertex*, 3>& piece, int 
     const auto z = static_cast<float>(
         depth[0] + (in_window[1] * (depth[1] - depth[0]) + in_window[2] * (depth[2] - depth[0])));
     if (!(z <= 1)) return;  // beyond the far plane
-    ++counts.pixels;
     TrianglePixel pixel{};
     pixel.x = x;
     pixel.y = y;
@@ -151,23 +143,30 @@ inline bool is_cut(const ClipPolygon& polygon, const ClipTriangle& triangle) {
 
 /// Calls `visit(const TrianglePixel&)` once for every pixel of a width × height picture that the
 /// triangle, its corners in clip space, covers between the near and the far plane. Two triangles
-/// that share an edge cover each pixel along it once, wherever their corners are. Corners may be
-/// any floats. Of a pixel whose depth is the far plane's up to rounding, of the largest depth at a
-/// corner of what is left of the triangle, either may be said: the engine rounds differently.
-/// `counts` is added to.
+/// that share an edge cover each pixel along it once, wherever their corners are, but where one
+/// that is not cut is thinner than 1/256 pixel and snapping turns it over: it then lies on its
+/// neighbour (of one that is cut, see cut_outline.h). Corners may be any floats. Of a pixel whose
+/// depth is the far plane's up to rounding, of the largest depth at a corner of what is left of the
+/// triangle, either may be said: the engine rounds differently. `counts` is added to.
 template <class Visit>
 void for_each_pixel(const ClipTriangle& triangle, int width, int height,
                     const TriangleOptions& options, TriangleCounts& counts, Visit&& visit) {
   ++counts.triangles;
   const ClipPolygon polygon = options.clip(triangle, guard_band(width, height));
+  std::optional<CutOutline> outline;
   if (polygon.empty()) {
     ++counts.outside;
   } else if (is_cut(polygon, triangle)) {
     ++counts.clipped;
+    outline.emplace(triangle, polygon, width, height);
   }
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    for_each_pixel_of_piece({&polygon[0], &polygon[i - 1], &polygon[i]}, width, height, options,
-                            counts, visit);
+  for (std::size_t i = 0; i + 2 < polygon.size(); ++i) {
+    for_each_pixel_of_piece(piece_of(polygon, i + 1), width, height, options, counts,
+                            [&](const TrianglePixel& pixel) {
+                              if (outline && !outline->gives(pixel.x, pixel.y, i)) return;
+                              ++counts.pixels;
+                              visit(pixel);
+                            });
   }
 }
 

@@ -5,6 +5,7 @@
 #include "common/triangles/rasterize.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace rasterlab {
@@ -16,10 +17,11 @@ struct Piece {
   Eigen::Vector3d depth;
   Eigen::Vector3d inverse_w;
   Eigen::Matrix<double, 2, 3> uv;  ///< a column for each corner
+  std::function<bool(int x, int y)> has = [](int, int) { return true; };
 };
 
-Piece make_piece(const std::array<const ClipVertex*, 3>& corners,
-                 const Eigen::Matrix<double, 2, 3>& triangle_uv, const Frame& frame) {
+Piece make_piece(const ClipPiece& corners, const Eigen::Matrix<double, 2, 3>& triangle_uv,
+                 const Frame& frame) {
   Piece piece;
   for (std::size_t i = 0; i < 3; ++i) {
     const ClipVertex& corner = *corners[i];
@@ -47,6 +49,7 @@ void draw_row(const Piece& piece, const RowOfPixels& row, const Sampler& sampler
   for (std::size_t i = 0; i < row.weights.size(); ++i) {
     const int x = row.first_x + static_cast<int>(i);
     const auto depth = static_cast<float>(row.weights[i].dot(piece.depth));
+    if (!piece.has(x, row.y)) continue;
     if (!frame.depth.test(x, row.y, depth)) continue;
     frame.depth.write(x, row.y, depth);
     const Eigen::Vector2f uv = (piece.uv * on_triangle[i]).cast<float>();
@@ -79,9 +82,12 @@ void draw_textured_triangle(const ClipTriangle& corners,
     uv.col(static_cast<Eigen::Index>(i)) = texture_coordinates[i].cast<double>();
   }
   const ClipPolygon polygon = clip_homogeneous(corners, guard_band(frame.width(), frame.height()));
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    draw_piece(make_piece({&polygon[0], &polygon[i - 1], &polygon[i]}, uv, frame), sampler, rung,
-               frame);
+  const bool cut = !polygon.empty() && is_cut(polygon, corners);
+  const CutOutline outline(corners, polygon, frame.width(), frame.height());
+  for (std::size_t i = 0; i + 2 < polygon.size(); ++i) {
+    Piece piece = make_piece(piece_of(polygon, i + 1), uv, frame);
+    if (cut) piece.has = [&outline, i](int x, int y) { return outline.gives(x, y, i); };
+    draw_piece(piece, sampler, rung, frame);
   }
 }
 

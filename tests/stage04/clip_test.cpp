@@ -8,11 +8,13 @@
 #include "tests/stage04/coverage.h"
 #include "tests/stage04/random_values.h"
 #include "tests/support/picture_text.h"
+#include "tests/support/snapped_outline.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -171,6 +173,93 @@ TEST(stage04_clip_homogeneous, parts_cover_each_pixel_of_the_whole_once_whatever
         << c.transpose() << "\ninside " << inside.transpose();
   }
   EXPECT_GT(clipped, 1000);
+}
+
+// All corners within 1/128 pixel of a line through pixel centres, level or at 45°: whatever
+// snapping turns over is seen.
+ClipTriangle random_sliver(RandomValues& random) {
+  const auto row = static_cast<float>(random.index(16));
+  const auto slope = static_cast<float>(random.index(3) - 1);
+  ClipTriangle sliver;
+  for (Vector& corner : sliver) {
+    const float w = random.index(8) == 0 ? awkward_w(random) : random.number(-1, 2);
+    corner = random_corner(random, false, w);
+    const float x = random.number(-10, 34);
+    const float y = row + 0.5F + slope * (x - 12.5F) + random.number(-1, 1) / 128;
+    corner.x() = w * (x / 12 - 1);
+    corner.y() = w * (1 - y / 8);
+  }
+  return sliver;
+}
+
+// How a triangle has to be covered: where its outline winds its way, and, if it is not cut, also
+// where snapping has turned it over.
+struct Expected {
+  SnappedOutline outline;
+  int side;
+  bool cut;
+
+  int winds(int x, int y) const { return side * winding(outline, x, y); }
+  bool covers(int winds_there) const { return winds_there > 0 || (!cut && winds_there < 0); }
+};
+
+// Nothing when no promise is made for it.
+std::optional<Expected> expected_of(const ClipTriangle& triangle) {
+  const std::optional<SnappedOutline> outline = snapped_outline(triangle, 24, 16);
+  const int side = exact_side(triangle);
+  if (!outline || side == 0) return {};
+  return Expected{*outline, side, is_cut(clip_homogeneous(triangle, guard_band(24, 16)), triangle)};
+}
+
+TEST(stage04_clip_homogeneous, what_is_cut_covers_what_its_snapped_outline_winds_round) {
+  RandomValues random(4095);
+  std::int64_t covered = 0;
+  std::int64_t turned_over = 0;
+  std::int64_t doubles = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const ClipTriangle whole = random_sliver(random);
+    const Vector inside = random.number(0.05F, 1) * whole[0] + random.number(0.05F, 1) * whole[1] +
+                          random.number(0.05F, 1) * whole[2];
+    std::vector<Expected> expected;
+    const std::array<ClipTriangle, 3> parts = split(whole, inside);
+    for (const ClipTriangle& part : parts) {
+      if (const auto one = expected_of(part)) expected.push_back(*one);
+    }
+    const bool same_side = std::all_of(expected.begin(), expected.end(), [&](const Expected& one) {
+      return one.side == expected.front().side;
+    });
+    if (expected.size() < 3 || !same_side) continue;  // rounding has put the point outside
+    std::array<Image<int>, 3> found;
+    for (std::size_t k = 0; k < 3; ++k) found[k] = coverage({parts[k]}, 24, 16);
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 24; ++x) {
+        int sum = 0;
+        int count = 0;
+        int least = 0;
+        bool uncut_over = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const int winds = expected[k].winds(x, y);
+          ASSERT_EQ(found[k](x, y), expected[k].covers(winds) ? 1 : 0)
+              << "case " << i << ", part " << k;
+          sum += winds;
+          least = std::min(least, winds);
+          uncut_over = uncut_over || (winds < 0 && !expected[k].cut);
+          count += found[k](x, y);
+        }
+        ASSERT_TRUE(count > 0 || sum <= 0) << "a gap in case " << i;
+        ASSERT_TRUE(count <= 1 || least < 0)
+            << "a double in case " << i << " that no part turned over explains";
+        covered += count;
+        if (uncut_over) continue;
+        turned_over += least < 0 ? 1 : 0;
+        doubles += count > 1 ? 1 : 0;
+      }
+    }
+  }
+  RecordProperty("pixels_covered_twice", static_cast<int>(doubles));
+  EXPECT_GT(covered, 10000);
+  EXPECT_GT(turned_over, 500) << "slivers that snapping does not turn over prove nothing";
+  EXPECT_LT(doubles, turned_over / 10) << "most of what is turned over must not be seen";
 }
 
 // Scaled by 1/w they are one and the same triangle around the whole picture, of which rounding

@@ -6,6 +6,7 @@
 #include "tests/stress/family.h"
 #include "tests/stress/homogeneous.h"
 #include "tests/stress/special_floats.h"
+#include "tests/support/snapped_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -314,22 +315,15 @@ Numbers shared_edges(Random& random) {
   return numbers;
 }
 
-/// Whether snapping to 1/256 px turns a piece of what clipping leaves over, so that it lies on its
-/// neighbours: slivers do that, cut or not (common/projection/clip.h).
-bool is_turned_over(const ClipTriangle& triangle, int orientation) {
+/// Whether snapping to 1/256 px turns over a triangle that is not cut, so that it lies on its
+/// neighbours.
+bool is_turned_over(const ClipTriangle& triangle) {
   const ClipPolygon polygon = clip_homogeneous(triangle, guard_band(width, height));
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    std::array<Eigen::Vector2f, 3> window;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t corner = c == 0 ? 0 : i - 2 + c;
-      window[c] = to_window(polygon[corner].position, width, height).position;
-    }
-    if (!std::all_of(window.begin(), window.end(), in_raster_range)) continue;
-    const SnappedTriangle snapped = snap(window);
-    const std::int64_t area = cross(snapped[0], snapped[1], snapped[2]);  // clockwise is > 0
-    if (area != 0 && (area < 0) != (orientation > 0)) return true;
-  }
-  return false;
+  if (polygon.empty() || is_cut(polygon, triangle)) return false;
+  const std::optional<SnappedOutline> corners = snapped_outline(triangle, width, height);
+  if (!corners) return false;
+  const std::int64_t area = cross((*corners)[0], (*corners)[1], (*corners)[2]);
+  return area != 0 && (area > 0) != (exact_side(triangle) > 0);
 }
 
 using TrianglePair = std::array<ClipTriangle, 2>;
@@ -374,8 +368,7 @@ void check_shared_edge(const Numbers& numbers, Verdict& verdict) {
   const HomogeneousTriangle first(t, width, height);
   const HomogeneousTriangle second(ClipTriangle{t[1], t[0], fourth}, width, height);
   if (!first.usable() || !second.usable()) return;
-  const bool turned_over = is_turned_over(t, first.orientation()) ||
-                           is_turned_over({t[1], t[0], fourth}, second.orientation());
+  const bool turned_over = is_turned_over(t) || is_turned_over({t[1], t[0], fourth});
   verdict.measure("pairs turned over", 1, turned_over ? 1 : 0);
   if (turned_over) return;
   Image<Truth> truth(width, height, Truth::too_close);
@@ -391,6 +384,52 @@ void check_shared_edge(const Numbers& numbers, Verdict& verdict) {
   const auto last_rung = std::span(clip_ladder).last(1);
   check_pair({t, {t[0], t[1], fourth}}, truth, last_rung, verdict);  // the other winding
   check_pair({ClipTriangle{t[2], t[1], t[0]}, {fourth, t[1], t[0]}}, truth, last_rung, verdict);
+}
+
+/// Corners next to a line through many samples, and a point inside that splits them in three.
+Numbers cut_slivers(Random& random) {
+  Numbers numbers;
+  const auto row = static_cast<double>(random.whole(0, height - 1));
+  const auto slope = static_cast<double>(random.whole(-2, 2));
+  for (int i = 0; i < 3; ++i) {
+    const double w = random.chance(0.8) ? random.number(-1, 2) : random.pick({-0x1p-24, 0, 1e-3});
+    const double x = random.number(-width / 2.0, width * 1.5);
+    const double y = row + 0.5 + slope * (x - width / 2.0 - 0.5) + random.number(-1, 1) / 128;
+    numbers.push_back(w * (x / (width / 2.0) - 1));
+    numbers.push_back(w * (1 - y / (height / 2.0)));
+    numbers.push_back(w - random.number(0.05, 2));
+    numbers.push_back(w);
+  }
+  for (int i = 0; i < 3; ++i) numbers.push_back(random.number(0.05, 1));
+  return numbers;
+}
+
+void check_slivers(const Numbers& numbers, Verdict& verdict) {
+  if (numbers.size() != per_triangle + 3) return;
+  const ClipTriangle t = clip_triangles(numbers).front();
+  Eigen::Vector4f inside = Eigen::Vector4f::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    inside += static_cast<float>(numbers[per_triangle + i]) * t[i];
+  }
+  for (const ClipTriangle& part :
+       {ClipTriangle{t[0], t[1], inside}, {t[1], t[2], inside}, {t[2], t[0], inside}}) {
+    check_same_pixels(part, verdict);
+    const std::optional<SnappedOutline> outline = snapped_outline(part, width, height);
+    const int side = exact_side(part);
+    const bool cut = is_cut(clip_homogeneous(part, guard_band(width, height)), part);
+    if (!outline || outline->empty() || !cut || side == 0) continue;
+    Count count(width, height, 0);
+    add_exercise_coverage(part, count);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const int winds = side * winding(*outline, x, y);
+        verdict.expect(count.row(y)[x] == (winds > 0 ? 1 : 0), [&] {
+          return at(x, y) + " is covered " + std::to_string(count.row(y)[x]) +
+                 " times, and the outline winds round it " + std::to_string(winds) + " times";
+        });
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -416,8 +455,13 @@ std::vector<Family> clipping_families() {
        per_triangle, 0, w_through_zero, check_against_truth},
       {"shared_edges",
        "two triangles on either side of an edge that goes through the near plane or the guard band "
-       "leave neither gap nor double along it, but where snapping turns a sliver over",
+       "leave neither gap nor double along it, but where one that is not cut is a sliver that "
+       "snapping turns over",
        0, 0, shared_edges, check_shared_edge},
+      {"cut_slivers",
+       "of triangles a few 1/256 px thin that are cut, exercise and engine cover the same pixels, "
+       "and just those that the snapped outline winds round as the triangle is seen",
+       0, 0, cut_slivers, check_slivers},
   };
 }
 
