@@ -106,12 +106,16 @@ GLuint upload(const Image<Rgb8>& image) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   Image<Color> level(image.width(), image.height());
   for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    level.pixels()[i] = to_color(image.pixels()[i]);
+    const Rgb8 texel = image.pixels()[i];
+    level.pixels()[i] = Color(texel.r, texel.g, texel.b);
   }
   for (int number = 0;; ++number) {
     std::vector<Rgb8> rows;  // from the bottom up
     for (int y = level.height() - 1; y >= 0; --y) {
-      for (int x = 0; x < level.width(); ++x) rows.push_back(to_rgb8(level.row(y)[x]));
+      for (int x = 0; x < level.width(); ++x) {
+        const auto rounded = (level.row(y)[x].array() + 0.5F).cast<std::uint8_t>().eval();
+        rows.push_back({rounded[0], rounded[1], rounded[2]});
+      }
     }
     glTexImage2D(GL_TEXTURE_2D, number, GL_RGB8, level.width(), level.height(), 0, GL_RGB,
                  GL_UNSIGNED_BYTE, rows.data());

@@ -49,9 +49,10 @@ FootprintEllipse<Number> footprint_ellipse(const Texture& texture,
 }
 
 /// Trilinear samples evenly along the longer axis of the footprint, and their mean. There are as
-/// many as the longer axis has the shorter one, or texels if they are larger, rounded up: at least
-/// 1, at most 16. Each is taken at the level of the shorter axis, or, where 16 don't reach, of the
-/// distance between samples. Cost: up to 128 texels.
+/// many as the longer axis has the shorter one, or texels if they are larger: that ratio less 1/64,
+/// rounded up, at least 1, at most 16. (Without the 1/64, what rounding adds to a ratio of 1 would
+/// take a second sample.) Each is taken at the level of the shorter axis, or, where 16 don't reach,
+/// of the distance between samples. Cost: up to 128 texels.
 ///
 /// Source: EXT_texture_filter_anisotropic, with the ellipse's true axes in place of its two steps,
 /// and with a level that doesn't jump where the number of samples does.

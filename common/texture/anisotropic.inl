@@ -10,9 +10,10 @@ Vector3<Number> sample_anisotropic(const Texture& texture, Wrap wrap,
                                    const Footprint<Number>& footprint) {
   // <solution>
   constexpr int most_samples = 16;
+  constexpr float slack = 1.0F / 64;
   const auto ellipse = footprint_ellipse(texture, footprint);
   const Number ratio = ellipse.longer / maximum(ellipse.shorter, Number(1));
-  const Number wanted = Number(0) - round_down(Number(0) - ratio);
+  const Number wanted = Number(0) - round_down(Number(slack) - ratio);
   const Number count =
       minimum(maximum(wanted, Number(1)), Number(static_cast<float>(most_samples)));
   const Number width = maximum(Number(ellipse.longer / count), ellipse.shorter);

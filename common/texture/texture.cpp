@@ -9,10 +9,12 @@
 namespace rasterlab {
 namespace {
 
-Image<Color> to_colors(const Image<Rgb8>& image) {
-  Image<Color> colors(image.width(), image.height());
-  std::transform(image.pixels().begin(), image.pixels().end(), colors.pixels().begin(), to_color);
-  return colors;
+/// As codes, whose means floats hold exactly down to the 1 × 1 level of a picture of 256 × 256.
+Image<Color> to_codes(const Image<Rgb8>& image) {
+  Image<Color> codes(image.width(), image.height());
+  std::transform(image.pixels().begin(), image.pixels().end(), codes.pixels().begin(),
+                 [](const Rgb8& pixel) { return Color(pixel.r, pixel.g, pixel.b); });
+  return codes;
 }
 
 /// The mean of `pixel(i)` over begin ≤ i < end, whose ends may lie within a pixel.
@@ -60,7 +62,7 @@ Image<Color> halved(const Image<Color>& image) {
 
 Texture::Texture(const Image<Rgb8>& image, MipLevels levels) {
   if (image.empty()) throw CheckError("a texture needs at least one texel");
-  Image<Color> level = to_colors(image);
+  Image<Color> level = to_codes(image);
   append_level(level);
   if (levels == MipLevels::none) return;
   while (level_count_ < max_levels && std::max(level.width(), level.height()) > 1) {
@@ -69,18 +71,18 @@ Texture::Texture(const Image<Rgb8>& image, MipLevels levels) {
   }
 }
 
-void Texture::append_level(const Image<Color>& image) {
+void Texture::append_level(const Image<Color>& codes) {
   const auto index = static_cast<std::size_t>(level_count_++);
   const std::size_t block = (texels_.size() + texels_per_block - 1) / texels_per_block;
-  widths_[index] = static_cast<float>(image.width());
-  heights_[index] = static_cast<float>(image.height());
+  widths_[index] = static_cast<float>(codes.width());
+  heights_[index] = static_cast<float>(codes.height());
   blocks_[index] = static_cast<float>(block);
   texels_.resize(block * texels_per_block);
-  texels_.reserve(texels_.size() + image.pixels().size());
-  for (int y = image.height() - 1; y >= 0; --y) {
-    for (int x = 0; x < image.width(); ++x) {
-      const Rgb8 pixel = to_rgb8(image.row(y)[x]);
-      texels_.push_back(pack_texel(pixel.r, pixel.g, pixel.b));
+  texels_.reserve(texels_.size() + codes.pixels().size());
+  for (int y = codes.height() - 1; y >= 0; --y) {
+    for (int x = 0; x < codes.width(); ++x) {
+      const auto rounded = (codes.row(y)[x].array() + 0.5F).cast<std::uint8_t>().eval();
+      texels_.push_back(pack_texel(rounded[0], rounded[1], rounded[2]));
     }
   }
 }

@@ -16,7 +16,8 @@ enum class MipLevels { none, all };
 
 /// A picture over the unit square of (u, v), v up: (0, 0) is its lower left corner, (1, 1) its
 /// upper right one. Level 0 is the picture; each further level has half the sides, rounded down, to
-/// 1 × 1, each texel the mean of the area it stands for. Sixteen levels at the most.
+/// 1 × 1, each texel the mean of the area it stands for, rounded to 8 bit, halves up. (The mean of
+/// the picture's texels: no level is made of rounded ones.) Sixteen levels at the most.
 ///
 /// Texels are packed in 32 bits, all levels in one array, each level's rows from the bottom up:
 /// what a SIMD gather can read. Computed on any Number (common/image/number.h).
@@ -57,7 +58,7 @@ class Texture {
   }
 
  private:
-  void append_level(const Image<Color>& image);
+  void append_level(const Image<Color>& codes);
 
   static constexpr int texels_per_block = 64;
 

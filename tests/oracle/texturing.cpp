@@ -115,7 +115,7 @@ Shade anisotropic(const DeepTexture& texture, const std::string& wrap, const Ste
   const double shorter = svd.singularValues()[1];
   const double wanted = longer / std::max(shorter, 1.0);
   const auto count_of = [](double ratio) {
-    return static_cast<int>(std::clamp(std::ceil(ratio), 1.0, 16.0));
+    return static_cast<int>(std::clamp(std::ceil(ratio - 1.0 / 64), 1.0, 16.0));
   };
   const int count = count_of(wanted);
   const Eigen::Vector2d axis =
@@ -141,8 +141,15 @@ DeepTexture::DeepTexture(const Image<Rgb8>& image) {
     }
   }
   levels_.push_back(base);
-  while (levels_.back().width > 1 || levels_.back().height > 1)
-    levels_.push_back(half_of(levels_.back()));
+  Level exact = base;
+  while (exact.width > 1 || exact.height > 1) {
+    exact = half_of(exact);
+    levels_.push_back(exact);
+    for (Eigen::Vector3d& texel : levels_.back().texels) {
+      // A trifle for sums that are not quite the half they stand for.
+      texel = (texel.array() * 255 + (0.5 + 1e-9)).floor() / 255;
+    }
+  }
 }
 
 Shade sample(const DeepTexture& texture, const std::string& filter, const std::string& wrap,

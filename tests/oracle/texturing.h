@@ -15,7 +15,8 @@
 
 namespace rasterlab::oracle {
 
-/// A picture and its smaller copies, each texel the mean of the area it stands for.
+/// A picture and its smaller copies, each texel the mean of the area it stands for, rounded to 8
+/// bit, halves up.
 class DeepTexture {
  public:
   explicit DeepTexture(const Image<Rgb8>& image);

@@ -252,9 +252,25 @@ TEST(stage06_sample_anisotropic, does_not_jump_where_a_sample_is_added) {
     return sample_anisotropic(texture, Wrap::repeat,
                               Footprint<float>{uv, {ratio / 16, 0}, {0, 1.0F / 16}});
   };
-  for (const float ratio : {1.0F, 2.0F, 3.0F}) {
+  for (const float whole : {1.0F, 2.0F, 3.0F}) {
+    const float ratio = whole + 1.0F / 64;
     // A sample more moves the samples by at most a quarter of a texel of the level they are in.
-    EXPECT_LE((color(ratio) - color(ratio * 1.0001F)).norm(), 0.1F) << ratio;
+    EXPECT_LE((color(ratio * 0.9999F) - color(ratio * 1.0001F)).norm(), 0.1F) << ratio;
+  }
+}
+
+// However it is turned, a square of 5.3 texels is round: rounding must not make it take two.
+TEST(stage06_sample_anisotropic, a_turned_square_takes_one_sample) {
+  const Texture texture(noise(64, 64, 5));
+  constexpr float side = 5.3F / 64;
+  for (int i = 0; i < 2000; ++i) {
+    const float angle = static_cast<float>(i) * 0.01F;
+    const Vector2<float> dx(side * std::cos(angle), side * std::sin(angle));
+    const Footprint<float> footprint{{0.31F, 0.7F}, dx, {-dx.y(), dx.x()}};
+    const float difference = (sample_anisotropic(texture, Wrap::repeat, footprint) -
+                              sample_trilinear(texture, Wrap::repeat, footprint))
+                                 .norm();
+    ASSERT_LE(difference, 1e-5F) << "turned by " << angle;
   }
 }
 
