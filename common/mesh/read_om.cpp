@@ -65,13 +65,16 @@ class OmParts {
   /// Passes over the data of a chunk; true when it is of use.
   bool skip(const Chunk::Header& chunk) {
     const std::size_t integer = std::size_t{1} << chunk.bits_;
+    // OpenMesh names custom parts only, but would read a name before any part.
+    if (chunk.name_ != 0) {
+      if (chunk.type_ != Chunk::Type_Custom) fail("there is a part of unknown kind in it");
+      skip_text();
+    }
     switch (chunk.type_) {
-      case Chunk::Type_Custom: {
-        const int texts = version_ >= om::mk_version(2, 2) ? 2 : 1;  // its name and its type's
-        for (int i = 0; i < texts; ++i) reader_.take_bytes(reader_.take<std::uint8_t>());
+      case Chunk::Type_Custom:
+        if (version_ >= om::mk_version(2, 2)) skip_text();  // the type's name
         reader_.take_bytes(reader_.take<std::uint32_t>());
         return false;
-      }
       case Chunk::Type_Status:
         pass(chunk, 4, true);
         return false;
@@ -85,7 +88,10 @@ class OmParts {
         return pass(chunk, 3, chunk.dim_ == 2 && chunk.float_ == 0 && chunk.bits_ == 0);
       case Chunk::Type_Topology:
         if (chunk.entity_ == Chunk::Entity_Halfedge) return pass(chunk, 3 * integer, true);
-        if (chunk.dim_ != 0) fail("there is a part of unknown kind in it");  // OpenMesh aborts
+        // OpenMesh aborts at a dimension, and takes what edges may have for something else.
+        if (chunk.dim_ != 0 || chunk.entity_ == Chunk::Entity_Edge) {
+          fail("there is a part of unknown kind in it");
+        }
         if (chunk.entity_ == Chunk::Entity_Face && version_ < om::mk_version(2, 0)) {
           skip_polygons(integer);
           return true;
@@ -119,6 +125,8 @@ class OmParts {
     reader_.take_bytes(elements * bytes);
     return chunk.entity_ == Chunk::Entity_Vertex || chunk.type_ == Chunk::Type_Topology;
   }
+
+  void skip_text() { reader_.take_bytes(reader_.take<std::uint8_t>()); }
 
   void skip_polygons(std::size_t integer) {
     for (std::size_t i = 0; i < counts_.faces; ++i) {

@@ -81,6 +81,13 @@ TEST(stage01_read_om, properties_that_are_not_known_are_passed_over) {
   EXPECT_THAT(mesh.colors, SizeIs(3));
 }
 
+TEST(stage01_read_om, only_properties_have_names) {
+  std::string named = text(cube);
+  constexpr std::size_t first_part = 16;
+  named[first_part] = static_cast<char>(named[first_part] | 2);
+  EXPECT_THAT(refusal("a.om", named), HasSubstr("part of unknown kind"));
+}
+
 TEST(stage01_read_om, cut_off_anywhere) {
   const std::string whole = text(cube);
   for (std::size_t size = 1; size + 2 < whole.size(); ++size) {
