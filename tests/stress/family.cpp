@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -16,8 +17,9 @@ namespace rasterlab::stress {
 const std::vector<Family>& families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> list;
-    for (const auto& part : {coverage_families(), clipping_families(), mesh_families(),
-                             precision_families(), transform_families(), shading_families()}) {
+    for (const auto& part :
+         {coverage_families(), clipping_families(), cutting_families(), mesh_families(),
+          precision_families(), transform_families(), shading_families()}) {
       list.insert(list.end(), part.begin(), part.end());
     }
     return list;
@@ -34,6 +36,26 @@ const Family& family_named(const std::string& name) {
   const auto replace = nlohmann::json::error_handler_t::replace;  // what is no UTF-8
   throw InputError("no family is called " + nlohmann::json(name).dump(-1, ' ', true, replace) +
                    "; there are " + names);
+}
+
+Family many_at_once(std::string name, std::string contract, std::size_t length, int count,
+                    const std::function<Numbers(Random&)>& draw_one,
+                    const std::function<void(const Numbers&, Verdict&)>& check_one) {
+  const auto draw_all = [=](Random& random) {
+    Numbers numbers;
+    for (int i = 0; i < count; ++i) {
+      const Numbers one = draw_one(random);
+      numbers.insert(numbers.end(), one.begin(), one.end());
+    }
+    return numbers;
+  };
+  const auto check_all = [=](const Numbers& numbers, Verdict& verdict) {
+    for (std::size_t i = 0; i + length <= numbers.size(); i += length) {
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(i);
+      check_one(Numbers(first, first + static_cast<std::ptrdiff_t>(length)), verdict);
+    }
+  };
+  return {std::move(name), std::move(contract), length, 0, draw_all, check_all};
 }
 
 Verdict check(const Family& family, const Numbers& numbers) {

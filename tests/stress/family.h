@@ -78,8 +78,15 @@ struct Family {
   std::function<void(const Numbers&, Verdict&)> check;
 };
 
+/// A family whose cases are many small ones: as many as `count` draws of `length` numbers each,
+/// every one of which `check_one` is given alone and can be left out.
+Family many_at_once(std::string name, std::string contract, std::size_t length, int count,
+                    const std::function<Numbers(Random&)>& draw_one,
+                    const std::function<void(const Numbers&, Verdict&)>& check_one);
+
 std::vector<Family> coverage_families();
 std::vector<Family> clipping_families();
+std::vector<Family> cutting_families();
 std::vector<Family> mesh_families();
 std::vector<Family> precision_families();
 std::vector<Family> transform_families();

@@ -5,6 +5,7 @@
 
 #include "common/projection/clip.h"
 
+#include <algorithm>
 #include <array>
 
 namespace rasterlab::stress {
@@ -84,24 +85,28 @@ class HomogeneousTriangle {
     return !(beyond > reach || beyond < -reach);
   }
 
+  /// Whether the centre of pixel (x, y) is more than `reach` pixels inside the first edges, of
+  /// which edge i lies across from corner i, and between near and far plane.
+  bool clearly_inside(int x, int y, double reach, std::size_t edges = 3) const {
+    for (std::size_t i = 0; i < edges; ++i) {
+      if (edges_[i].sign_around(x, y, reach) <= 0) return false;
+    }
+    return std::all_of(inside_planes_.begin(), inside_planes_.end(),
+                       [&](const auto& plane) { return plane.sign_around(x, y, reach) > 0; });
+  }
+
   enum class Truth { covered, not_covered, too_close };
 
   /// `reach`: how far from an edge, in pixels, nothing is said, because single-precision cuts and
   /// snapping move an edge.
   Truth truth_at(int x, int y, double reach) const {
-    bool covered = true;
     for (const WindowFunction& edge : edges_) {
-      const int sign = edge.sign_around(x, y, reach);
-      if (sign < 0) return Truth::not_covered;
-      covered = covered && sign > 0;
+      if (edge.sign_around(x, y, reach) < 0) return Truth::not_covered;
     }
     for (const WindowFunction& plane : outside_planes_) {
       if (plane.sign_around(x, y, reach) > 0) return Truth::not_covered;
     }
-    for (const WindowFunction& plane : inside_planes_) {
-      covered = covered && plane.sign_around(x, y, reach) > 0;
-    }
-    return covered ? Truth::covered : Truth::too_close;
+    return clearly_inside(x, y, reach) ? Truth::covered : Truth::too_close;
   }
 
  private:
