@@ -2,7 +2,9 @@
 
 #include "common/image/check.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -80,6 +82,11 @@ RecordKind kind_of(const std::string& name, const Reader& reader) {
   reader.fail("the kind of a record");
 }
 
+/// What can be computed with in whole numbers.
+bool is_coordinate(double number) {
+  return std::abs(number) <= 1e6;
+}
+
 /// "KIND WIDTH HEIGHT CHANNELS COUNT TOLERANCE FREE NAME", then the bytes.
 Record read_record(const std::string& header, Reader& reader) {
   std::istringstream fields(header);
@@ -111,6 +118,8 @@ Record read_record(const std::string& header, Reader& reader) {
       break;
     case RecordKind::segment:
       record.ends = reader.array<double>(5);
+      if (!std::all_of(record.ends.begin(), record.ends.end(), is_coordinate))
+        reader.fail("a segment's ends within a million pixels");
       record.numbers = reader.array<double>(count);
       break;
     case RecordKind::numbers:

@@ -4,6 +4,7 @@ be read, or be refused with one line. `fuzz_json.py manifests|recipes --seconds 
 breaks this is left in DIR and named.
 """
 import argparse
+import copy
 import json
 import pathlib
 import random
@@ -38,13 +39,13 @@ def damage_values(document, rng):
         parent = parent[key]
     what = rng.randrange(3)
     if what == 0:
-        parent[last] = rng.choice(ODD_VALUES)
+        parent[last] = copy.deepcopy(rng.choice(ODD_VALUES))  # which may be damaged in its turn
     elif what == 1:
         del parent[last]
     elif isinstance(parent, list):
-        parent.insert(last, parent[last])
+        parent.insert(last, copy.deepcopy(parent[last]))
     else:
-        parent[str(last) + "x"] = parent[last]
+        parent[str(last) + "x"] = copy.deepcopy(parent[last])
 
 
 def damage_bytes(data, rng):

@@ -2,9 +2,8 @@
 #include "common/image/files.h"
 #include "common/stage/guard.h"
 
-#include <array>
 #include <cstring>
-#include <iostream>
+#include <vector>
 
 namespace rasterlab {
 namespace {
@@ -62,6 +61,10 @@ void write_meshes(const fs::path& out) {
   write(out / "stl", "b.stl",
         std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0'));
   write(out / "om", "a.om", std::string("OM\x54\x04\0\0\0\0\0\0\0\0\0\0\0\0", 16));
+  const std::string one_vertex("OMT\x42\1\0\0\0\0\0\0\0\0\0\0\0", 16);
+  const std::string position(12, '\0');
+  write(out / "om", "b.om", one_vertex + std::string("\0\x16", 2) + position);
+  write(out / "om", "named.om", one_vertex + std::string("\2\x16\1a", 4) + position);
 }
 
 void write_texts(const fs::path& out) {
@@ -75,11 +78,16 @@ void write_texts(const fs::path& out) {
   write(out / "rows", "a.txt", "0 0 3 4\n1 2 30 -4.5 255 0 0 # red\n1e3 2 3 4 0 0 0 1 2 3\n");
 }
 
+void write_floats(const fs::path& file, const std::vector<float>& floats) {
+  std::string bytes(floats.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), floats.data(), bytes.size());
+  write(file.parent_path(), file.filename(), bytes);
+}
+
 void write_triangles(const fs::path& out) {
-  const std::array<float, 12> corners = {-1, -1, 0, 1, 1, -1, 0, 1, 0, 1, 0, -0.5F};
-  std::string bytes(sizeof corners, '\0');
-  std::memcpy(bytes.data(), corners.data(), sizeof corners);
-  write(out / "engine", "a", bytes);
+  write_floats(out / "engine/corners", {-1, -1, 0, 1, 1, -1, 0, 1, 0, 1, 0, -0.5F});
+  write_floats(out / "engine/matrix", {-1, -1, 0, 1, -1, 0, 0, 1, 0.5F,  // then column by column
+                                       1,  0,  0, 0, 0,  1, 0, 0, 0,    0, 0.5F, 0.1F, 0, 0, 0, 1});
 }
 
 /// What the grader's judge reads: one record of each kind that bytes can spell, and one of numbers.

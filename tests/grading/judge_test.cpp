@@ -132,6 +132,7 @@ TEST(grading_records, anything_else_is_refused) {
         head + "numbers 0 0 1 2305843009213693952 0 0 a\n",
         head + "text 0 0 1 3 0 0 a\nabcd\nend\n", head + "sound 0 0 1 0 0 0 a\n\nend\n",
         head + "text 0 0 2 0 0 0 a\n\nend\n",
+        head + "segment 0 0 1 0 0 0 a\n" + std::string(40, '\xE7') + "\nend\n",
         head + "text 0 0 1 0 0 0 " + std::string(500, 'a') + "\n\nend\n"}) {
     write_file(folder / "r", text);
     EXPECT_THROW(read_results(folder / "r"), InputError) << text.substr(0, 80);
