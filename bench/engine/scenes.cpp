@@ -107,8 +107,8 @@ Scene sphere(float aspect) {
                     every_shading);
 }
 
-/// 10 × 10 × 10 rings, drawn from the far end of the grid to the near one, or the other way.
-Scene tori(float aspect, bool far_to_near) {
+/// 10 × 10 × 10 of them, from the far end of the grid to the near one, or the other way.
+Mesh rings(bool far_to_near) {
   const Mesh ring = make_shape("torus", 16);
   Mesh mesh;
   for (int i = 0; i < 1000; ++i) {
@@ -118,7 +118,11 @@ Scene tori(float aspect, bool far_to_near) {
             static_cast<float>(layer) - 4.5F},
            0.45F);
   }
-  return make_scene(far_to_near ? "tori far to near" : "tori near to far", std::move(mesh),
+  return mesh;
+}
+
+Scene tori(float aspect, bool far_to_near) {
+  return make_scene(far_to_near ? "tori far to near" : "tori near to far", rings(far_to_near),
                     {0.2F, 0.3F, 4.4F}, {0.5F, 0.2F, -4.5F}, aspect, every_shading);
 }
 
@@ -199,6 +203,11 @@ const std::vector<SceneEntry>& scenes() {
       {"sphere 8M", &displaced_sphere},
       {"slivers", &slivers}};
   return all;
+}
+
+Scene tori_around_the_eye(float aspect) {
+  return make_scene("tori around the eye", rings(true), {0, 0, 0}, {0.5F, 0.2F, -1}, aspect,
+                    every_shading);
 }
 
 Image<Rgb8> make_texture(int size) {

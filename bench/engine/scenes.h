@@ -34,6 +34,9 @@ struct SceneEntry {
 
 const std::vector<SceneEntry>& scenes();
 
+/// Not one of them: the rings seen from their midst, so that most lie outside the view.
+Scene tori_around_the_eye(float aspect);
+
 Image<Rgb8> make_texture(int size);
 Image<Rgb8> make_normal_map(int size);
 

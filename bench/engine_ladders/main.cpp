@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace rasterlab::bench;
   std::vector<MakeLadder> ladders;
-  for (const char* scene : {"planet", "sphere 1M", "tori far to near"})
+  for (const SceneEntry& scene : skip_scenes())
     ladders.emplace_back([scene] { return skip_ladder(scene); });
   for (const int pixels : {64, 360})
     ladders.emplace_back([pixels] { return level_of_detail_ladder(pixels); });

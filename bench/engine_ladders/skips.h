@@ -1,13 +1,17 @@
 // What the engine spares itself, measured switch by switch.
 #pragma once
 
+#include "bench/engine/scenes.h"
 #include "bench/support/ladder.h"
 
-#include <string>
+#include <vector>
 
 namespace rasterlab::bench {
 
-/// A scene of bench/engine/scenes.h, with each of the engine's Skips off in turn.
-TimedLadder skip_ladder(const std::string& scene);
+/// A scene for each kind of skipping.
+std::vector<SceneEntry> skip_scenes();
+
+/// The scene, with each of the engine's Skips off in turn.
+TimedLadder skip_ladder(const SceneEntry& entry);
 
 }  // namespace rasterlab::bench
