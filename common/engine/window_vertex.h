@@ -68,8 +68,12 @@ struct ClippedCorner {
 };
 
 struct ClippedPolygon {
-  static constexpr int capacity = 8;  // a triangle and one corner more for each of five planes
-  int side = 0;                       ///< of the whole triangle, as seen_side() says
+  /// Of n corners a plane leaves at most n + ⌊n/2⌋, for each run of corners outside becomes two.
+  /// Convex polygons have one run, and so 8 corners at the most after five planes; rounding may
+  /// bend them, where coordinates are of very different size, and corners that are no numbers are
+  /// outside of all planes: 3, 4, 6, 9, 13, 19.
+  static constexpr int capacity = 19;
+  int side = 0;  ///< of the whole triangle, as seen_side() says
   int size = 0;
   std::array<ClippedCorner, capacity> corner;
 

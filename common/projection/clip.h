@@ -18,7 +18,8 @@ struct ClipVertex {
   Eigen::Vector3f weights;   ///< which part of each corner of the whole triangle it has; sum to 1
 };
 
-/// A convex polygon, its corners in the triangle's order; empty where nothing is left, else 3 to 8.
+/// A convex polygon, its corners in the triangle's order; empty where nothing is left, else 3 to 8,
+/// or more where coordinates of very different size made rounding bend it.
 using ClipPolygon = std::vector<ClipVertex>;
 using ClipTriangle = std::array<Eigen::Vector4f, 3>;
 
