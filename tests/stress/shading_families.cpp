@@ -56,10 +56,11 @@ void check_highlight(const Numbers& n, Verdict& verdict) {
   const long double exponent = material.shininess;
   const bool lit = base > 0 && facing > 0;
   const long double truth = lit ? std::pow(base, exponent) : 0;
-  // A cosine rounded to single precision, off by 4e-7 at the most, raised to the exponent.
-  const long double steepest =
-      std::pow(std::min(1.000001L, base + 4e-7L), std::max(exponent - 1, 0.0L));
-  const auto allowed = static_cast<double>(lit ? 4e-7L * exponent * steepest + 1e-6L : 1e-30L);
+  // The cosine is off by 3 · 2⁻²⁴ for each of the two scalar products, the first of them doubled,
+  // and by 3 more for the vector between; raised to the exponent, that grows.
+  constexpr long double off = 12 * 0x1p-24L;
+  const long double steepest = std::pow(base + off, std::max(exponent - 1, 0.0L));
+  const auto allowed = static_cast<double>(lit ? off * exponent * steepest + 1e-6L : 1e-30L);
   const long double scale = static_cast<long double>(material.specular) * Light{}.intensity;
   const auto found = static_cast<long double>(reflection.specular) / scale;
   const auto error = static_cast<double>(std::abs(found - truth));
