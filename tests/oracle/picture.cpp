@@ -125,8 +125,8 @@ void Agreement::add_fault(const std::string& what) {
 std::ostream& operator<<(std::ostream& stream, const Agreement& agreement) {
   return stream << agreement.wrong << " of " << agreement.compared << " pixels differ ("
                 << agreement.drawn << " show a face, " << agreement.crossing
-                << " where two faces cross; " << agreement.near_edge
-                << " more lie within 1/128 px of an edge)\n"
+                << " where two faces cross, " << agreement.snapping << " may be snapped otherwise; "
+                << agreement.near_edge << " more lie within 1/128 px of an edge)\n"
                 << agreement.first_faults;
 }
 

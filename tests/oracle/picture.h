@@ -61,6 +61,7 @@ struct Agreement {
   int near_edge = 0;  ///< the others, which are not compared
   int crossing = 0;   ///< another face than the witness's, but one that crosses it within 1/128 px
   int drawn = 0;      ///< compared pixels where the witness sees a face
+  int snapping = 0;   ///< a few codes off, on a face that may be snapped in another way
   int wrong = 0;      ///< compared pixels that differ
   std::string first_faults;
 

@@ -81,7 +81,7 @@ RayCaster::RayCaster(const Mesh& mesh, const Camera& camera, int width, int heig
     std::array<Eigen::Vector3d, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]].cast<double>();
     faces_.push_back(corners);
-    snapped_weights_.push_back(snapped_weights(corners));
+    snapped_pieces_.push_back(snapped_pieces(corners));
   }
   order_.resize(faces_.size());
   std::iota(order_.begin(), order_.end(), 0);
@@ -166,29 +166,90 @@ Hit RayCaster::cast_plane(double x, double y, int face) const {
   return intersect(ray(x, y), face);
 }
 
-RayCaster::SnappedWeights RayCaster::snapped_weights(
-    const std::array<Eigen::Vector3d, 3>& corners) const {
-  Eigen::Matrix3d window;  // a column a corner: x, y, 1
-  Eigen::Vector3d w;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector4d clip = to_clip_ * corners[static_cast<std::size_t>(i)].homogeneous();
-    if (clip.z() < -clip.w() || clip.w() <= 0) return std::nullopt;
-    w[i] = clip.w();
-    window(0, i) = std::nearbyint((clip.x() / clip.w() + 1) * width_ / 2 * 256) / 256;
-    window(1, i) = std::nearbyint((1 - clip.y() / clip.w()) * height_ / 2 * 256) / 256;
-    window(2, i) = 1;
+namespace {
+
+/// A corner of what cutting leaves: in clip space, and which part of each corner of the face it
+/// has.
+struct CutCorner {
+  Eigen::Vector4d clip;
+  Eigen::Vector3d weights;
+};
+
+/// What has plane · clip ≥ 0.
+std::vector<CutCorner> cut_at(const std::vector<CutCorner>& polygon,
+                              const Eigen::RowVector4d& plane) {
+  std::vector<CutCorner> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const CutCorner& a = polygon[i];
+    const CutCorner& b = polygon[(i + 1) % polygon.size()];
+    const double at_a = plane * a.clip;
+    const double at_b = plane * b.clip;
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a >= 0) == (at_b >= 0)) continue;
+    const double t = at_a / (at_a - at_b);
+    kept.push_back({a.clip + t * (b.clip - a.clip), a.weights + t * (b.weights - a.weights)});
   }
-  if (window.determinant() == 0) return std::nullopt;
-  return Eigen::Matrix3d(w.cwiseInverse().asDiagonal() * window.inverse());
+  return kept;
+}
+
+}  // namespace
+
+RayCaster::SnappedPieces RayCaster::snapped_pieces(
+    const std::array<Eigen::Vector3d, 3>& corners) const {
+  std::vector<CutCorner> polygon;
+  for (int i = 0; i < 3; ++i) {
+    polygon.push_back(
+        {to_clip_ * corners[static_cast<std::size_t>(i)].homogeneous(), Eigen::Vector3d::Unit(i)});
+  }
+  const double guard_x = std::max(32768.0 / width_ - 1, 1.0);
+  const double guard_y = std::max(32768.0 / height_ - 1, 1.0);
+  for (const Eigen::RowVector4d& plane :
+       {Eigen::RowVector4d(0, 0, 1, 1), Eigen::RowVector4d(1, 0, 0, guard_x),
+        Eigen::RowVector4d(-1, 0, 0, guard_x), Eigen::RowVector4d(0, 1, 0, guard_y),
+        Eigen::RowVector4d(0, -1, 0, guard_y)}) {
+    polygon = cut_at(polygon, plane);
+  }
+  SnappedPieces pieces;
+  for (std::size_t last = 2; last < polygon.size(); ++last) {
+    Eigen::Matrix3d window;  // a column a corner: x, y, 1
+    Eigen::Matrix3d weights;
+    int column = 0;
+    for (const std::size_t i : {std::size_t{0}, last - 1, last}) {
+      const auto& [clip, of_face] = polygon[i];
+      window(0, column) = std::nearbyint((clip.x() / clip.w() + 1) * width_ / 2 * 256) / 256;
+      window(1, column) = std::nearbyint((1 - clip.y() / clip.w()) * height_ / 2 * 256) / 256;
+      window(2, column) = 1;
+      weights.col(column++) = of_face / clip.w();
+    }
+    if (std::abs(window.determinant()) > 0) pieces.push_back({window.inverse(), weights});
+  }
+  return pieces;
 }
 
 Hit RayCaster::drawn_plane(double x, double y, int face) const {
   Hit hit = cast_plane(x, y, face);
-  if (const SnappedWeights& snapped = snapped_weights_[static_cast<std::size_t>(face)]) {
-    const Eigen::Vector3d weights = *snapped * Eigen::Vector3d(x, y, 1);
+  double best = -Hit::nothing;
+  for (const SnappedPiece& piece : snapped_pieces_[static_cast<std::size_t>(face)]) {
+    const Eigen::Vector3d in_window = piece.in_window * Eigen::Vector3d(x, y, 1);
+    if (in_window.minCoeff() <= best) continue;
+    best = in_window.minCoeff();  // the piece it lies in, or nearly
+    const Eigen::Vector3d weights = piece.in_space * in_window;
     hit.weights = weights / weights.sum();
   }
   return hit;
+}
+
+bool RayCaster::may_snap_otherwise(int face) const {
+  const auto near_middle = [](double pixels) {
+    const double units = pixels * 256;
+    return std::abs(units - std::floor(units) - 0.5) < 256 * 0x1p-14;
+  };
+  for (const Eigen::Vector3d& corner : faces_[static_cast<std::size_t>(face)]) {
+    const Eigen::Vector4d clip = to_clip_ * corner.homogeneous();
+    if (near_middle((clip.x() / clip.w() + 1) * width_ / 2)) return true;
+    if (near_middle((1 - clip.y() / clip.w()) * height_ / 2)) return true;
+  }
+  return false;
 }
 
 bool RayCaster::covers(double x, double y, int face) const {

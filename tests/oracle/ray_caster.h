@@ -13,7 +13,6 @@
 
 #include <array>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -69,10 +68,14 @@ class RayCaster {
   /// face continued.
   Hit cast_plane(double x, double y, int face) const;
 
-  /// The same as a picture shows it: corners snapped to 1/256 px, and attributes interpolated
-  /// perspective-correctly from the snapped corners (docs/conventions.md). Of a face that is cut at
-  /// the near plane, as it is.
+  /// The same as a picture shows it: cut at the near plane and the guard band, corners snapped to
+  /// 1/256 px, and attributes interpolated perspective-correctly from the snapped corners
+  /// (docs/conventions.md).
   Hit drawn_plane(double x, double y, int face) const;
+
+  /// Whether one of the face's corners is so near to the middle between two points of the grid of
+  /// 1/256 px, 2⁻¹⁴ px, that single precision may snap it to the other one.
+  bool may_snap_otherwise(int face) const;
 
   /// Whether window point (x, y) lies in the face's outline, on the visible side of the near plane
   /// and not culled.
@@ -111,15 +114,19 @@ class RayCaster {
     double distance;
   };
 
-  /// What takes (x, y, 1) to the weights, not yet divided by their sum, of a snapped face.
-  using SnappedWeights = std::optional<Eigen::Matrix3d>;
+  /// A triangle of what cutting has left of a face.
+  struct SnappedPiece {
+    Eigen::Matrix3d in_window;  ///< takes (x, y, 1) to weights of the piece's corners in the window
+    Eigen::Matrix3d in_space;   ///< takes those to the face's, not yet divided by their sum
+  };
+  using SnappedPieces = std::vector<SnappedPiece>;
 
   Ray ray(double x, double y) const;
   template <class Visit>
   void traverse(const Ray& ray, const double& limit, Visit&& visit) const;
   Hit intersect(const Ray& ray, int face) const;
   bool is_culled(bool front) const;
-  SnappedWeights snapped_weights(const std::array<Eigen::Vector3d, 3>& corners) const;
+  SnappedPieces snapped_pieces(const std::array<Eigen::Vector3d, 3>& corners) const;
   int build(int first, int count);
   double distance_of(const Eigen::Vector3d& point) const;
   std::vector<WindowPoint> outline(int face) const;
@@ -133,7 +140,7 @@ class RayCaster {
   Eigen::Matrix4d from_clip_;
   Eigen::RowVector4d view_axis_;  ///< distance along the view axis = view_axis_ · (p, 1)
   std::vector<std::array<Eigen::Vector3d, 3>> faces_;
-  std::vector<SnappedWeights> snapped_weights_;  ///< of each face
+  std::vector<SnappedPieces> snapped_pieces_;  ///< of each face
   std::vector<int> order_;
   std::vector<Node> nodes_;
 };

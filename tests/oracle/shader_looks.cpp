@@ -156,7 +156,8 @@ Shade shade_look(const ShaderLook& look, const ShadedScene& scene, double x, dou
   return shade;
 }
 
-Shade see_through_lattice(const ShadedScene& scene, double x, double y) {
+Shade see_through_lattice(const ShadedScene& scene, double x, double y,
+                          const Eigen::Vector3d& front) {
   Shade shade{.color = Eigen::Vector3d::Zero()};
   for (const Hit& met : scene.witness.cast_through(x, y)) {
     const Hit hit = scene.witness.drawn_plane(x, y, met.face);
@@ -166,8 +167,7 @@ Shade see_through_lattice(const ShadedScene& scene, double x, double y) {
     const double toward_eye = hit.front ? 1 : -1;
     const double cosine = toward_eye * cosine_to_light(scene.lighting, scene.surface.position(hit),
                                                        scene.surface.normal(hit));
-    const Eigen::Vector3d color =
-        hit.front ? Eigen::Vector3d(0.75, 0.75, 0.75) : Eigen::Vector3d(0.8, 0.25, 0.2);
+    const Eigen::Vector3d color = hit.front ? front : Eigen::Vector3d(0.8, 0.25, 0.2);
     shade.color = color * std::max(cosine, 0.0);
     break;
   }

@@ -51,8 +51,9 @@ struct ShadedScene {
 Shade shade_look(const ShaderLook& look, const ShadedScene& scene, double x, double y,
                  const Hit& hit);
 
-/// The lattice: 32 × 16 cells of the texture with square holes, fronts in grey and backs in red,
-/// each side lit as if it faced the eye. What is seen at (x, y) may lie behind several holes.
-Shade see_through_lattice(const ShadedScene& scene, double x, double y);
+/// The lattice: 32 × 16 cells of the texture with square holes, fronts in one colour and backs in
+/// red, each side lit as if it faced the eye. What is seen at (x, y) may lie behind several holes.
+Shade see_through_lattice(const ShadedScene& scene, double x, double y,
+                          const Eigen::Vector3d& front = {0.75, 0.75, 0.75});
 
 }  // namespace rasterlab::oracle

@@ -6,6 +6,7 @@
 #include "tests/oracle/geometry_cases.h"
 #include "tests/oracle/shading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -160,6 +161,103 @@ Mesh bunny() {
   return mesh;
 }
 
+/// Unit normals of the vertices, each face's counted by the angle it has there.
+std::vector<Eigen::Vector3d> normals_by_angle(const Mesh& mesh) {
+  std::vector<Eigen::Vector3d> sums(mesh.positions.size(), Eigen::Vector3d::Zero());
+  for (const Mesh::Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t corner) -> Eigen::Vector3d {
+        return mesh.positions[triangle[(i + corner) % 3]].cast<double>();
+      };
+      const Eigen::Vector3d to_next = (at(1) - at(0)).normalized();
+      const Eigen::Vector3d to_last = (at(2) - at(0)).normalized();
+      const double angle = std::acos(std::clamp(to_next.dot(to_last), -1.0, 1.0));
+      sums[triangle[i]] += angle * to_next.cross(to_last).normalized();
+    }
+  }
+  for (Eigen::Vector3d& sum : sums) sum.normalize();
+  return sums;
+}
+
+TEST(stage05_figures, normals_as_colours) {
+  const Figures figures("05_lighting", "05.1");
+  const Eigen::Vector3d eye(0, 0.4, 3.9);
+  const FigureScene scene = seen_from(eye, bunny(), {0, 0, 0}, 1);
+  expect_figure("05.1_bunny_mean.png", figures("05.1_bunny_mean.png"), scene,
+                [](const Surface& surface, const Hit& hit) {
+                  Shade sum{.color = Eigen::Vector3d::Constant(0.5)};
+                  for (int i = 0; i < 3; ++i) {
+                    sum.color += hit.weights[i] * surface.normal(Surface::corner(hit, i)) / 2;
+                  }
+                  return sum;
+                });
+  const std::vector<Eigen::Vector3d> normals = normals_by_angle(scene.mesh);
+  expect_figure("05.1_bunny_angle_weighted.png", figures("05.1_bunny_angle_weighted.png"), scene,
+                [&](const Surface&, const Hit& hit) {
+                  Shade sum{.color = Eigen::Vector3d::Constant(0.5)};
+                  const auto& triangle = scene.mesh.triangles[static_cast<std::size_t>(hit.face)];
+                  for (std::size_t i = 0; i < 3; ++i) {
+                    sum.color +=
+                        hit.weights[static_cast<Eigen::Index>(i)] * normals[triangle[i]] / 2;
+                  }
+                  return sum;
+                });
+}
+
+/// The cube of eight vertices, its normals drawn as lines of 0.8: what is no line is the cube, and
+/// each line ends where it must.
+TEST(stage05_figures, normals_of_a_cube_as_lines) {
+  Image<Rgb8> figure = Figures("05_lighting", "05.1")("05.1_cube.png");
+  Mesh cube;
+  for (const float z : {-1.0F, 1.0F}) {
+    for (const float y : {-1.0F, 1.0F}) {
+      for (const float x : {-1.0F, 1.0F}) cube.positions.emplace_back(x, y, z);
+    }
+  }
+  cube.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const FigureScene scene = seen_from({1.5, 1.9, 6.4}, cube, Eigen::Vector3d::Constant(0.25), 1);
+  const Eigen::Matrix4d to_clip = scene.camera.to_clip();
+  const std::vector<Eigen::Vector3d> by_angle = normals_by_angle(cube);
+  const Surface mean(scene.mesh);
+  const auto expect_end = [&](const Eigen::Vector3d& position, const Rgb8& color) {
+    const Eigen::Vector2d ndc = (to_clip * position.homogeneous()).hnormalized().head<2>();
+    const int x = static_cast<int>((ndc.x() + 1) * figure.width() / 2);
+    const int y = static_cast<int>((1 - ndc.y()) * figure.height() / 2);
+    EXPECT_EQ(figure(x, y), color) << "line to " << position.transpose();
+  };
+  Hit corner;
+  corner.face = 0;
+  for (std::size_t face = 0; face < cube.triangles.size(); ++face) {
+    for (int i = 0; i < 3; ++i) {
+      corner.face = static_cast<int>(face);
+      const Hit at = Surface::corner(corner, i);
+      const std::size_t vertex = cube.triangles[face][static_cast<std::size_t>(i)];
+      expect_end(mean.position(at) + 0.8 * mean.normal(at), {255, 64, 64});
+      if ((by_angle[vertex] - mean.normal(at)).norm() > 0.1) {
+        expect_end(mean.position(at) + 0.8 * by_angle[vertex], {64, 255, 64});
+      }
+    }
+  }
+  const RayCaster witness(scene.mesh, scene.camera, figure.width(), figure.height());
+  const Rgb8 grey{64, 64, 64};
+  int on_lines = 0;
+  for (int y = 0; y < figure.height(); ++y) {
+    for (int x = 0; x < figure.width(); ++x) {
+      Rgb8& pixel = figure(x, y);
+      if (pixel != Rgb8{64, 255, 64} && pixel != Rgb8{255, 64, 64}) continue;
+      ++on_lines;
+      pixel = witness.cast(x + 0.5, y + 0.5).face >= 0 ? grey : Rgb8{0, 0, 0};
+    }
+  }
+  const Agreement agreement = compare_colors(witness, figure, [](double, double, const Hit&) {
+    return Shade{Eigen::Vector3d::Constant(0.25)};
+  });
+  std::cout << "05.1_cube.png, but for " << on_lines << " pixels of lines: " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << agreement;
+  EXPECT_LT(on_lines, figure.width() * figure.height() / 20);
+}
+
 TEST(stage05_figures, ambient_diffuse_specular_and_their_sum) {
   const Figures figures("05_lighting", "05.2");
   const Eigen::Vector3d eye(0, 0, 3.2);
@@ -261,6 +359,15 @@ TEST(stage05_figures, back_and_front_faces_left_out) {
     ring.cull = cull;
     expect_lit_figure(file, figures(file), ring, lighting, shade_flat);
   }
+  ring.cull = Cull::none;
+  std::erase_if(ring.mesh.triangles, [&](const Mesh::Triangle& triangle) {
+    const Eigen::Vector3d a = ring.mesh.positions[triangle[0]].cast<double>();
+    const Eigen::Vector3d b = ring.mesh.positions[triangle[1]].cast<double>();
+    const Eigen::Vector3d c = ring.mesh.positions[triangle[2]].cast<double>();
+    return !((b - a).cross(c - a).dot(lighting.light.head<3>()) > 0);
+  });
+  expect_lit_figure("05.7_culled_toward_the_light.png", figures("05.7_culled_toward_the_light.png"),
+                    ring, lighting, shade_flat);
 }
 
 TEST(stage05_figures, highlights_of_power_0_to_10_above_the_sums) {

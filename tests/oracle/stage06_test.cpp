@@ -156,15 +156,13 @@ TEST(stage06_figures, the_wall_after) {
                          source_folder() / "data/brick.png", "bilinear", std::nullopt);
 }
 
-// Toward the horizon a pixel spans a hundred texels, and the floor is cut behind the eye. So much
-// does the 1/512 px count by which snapping moves a cut that samples of the finest level differ:
-// bilinear and anisotropic ones are compared where texels are larger, in stage06_witness_of.
 TEST(stage06_figures, the_floor_to_the_horizon) {
   const Figures figures("06_texture", "06.4");
   Mesh floor = make_shape("grid:1");
   for (Eigen::Vector2f& uv : floor.texture_coordinates) uv *= 200;
   for (Eigen::Vector3f& position : floor.positions) position *= 200;
-  for (const std::string filter : {"nearest", "mip-mapped", "trilinear"}) {
+  for (const std::string filter :
+       {"nearest", "bilinear", "mip-mapped", "trilinear", "anisotropic"}) {
     const std::string file = "06.4_" + filter + ".png";
     expect_textured_figure(file, figures(file),
                            {.mesh = floor,

@@ -12,6 +12,9 @@
 #include "tests/support/places.h"
 #include "tests/support/scratch.h"
 
+#include <numbers>
+
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace rasterlab::oracle {
@@ -281,11 +284,13 @@ class PlanetFigure {
   }
 
   void expect(const std::string& file, const Image<Rgb8>& figure, const std::string& look) const {
-    const ShadedScene scene{witness_, surface_, lighting_, maps(), "trilinear"};
+    const ShadedScene scene{witness_, surface_, lighting_, maps(look), "trilinear"};
     const Agreement agreement =
         compare_colors(witness_, figure, [&](double x, double y, const Hit& hit) {
-          return look == "lattice" ? see_through_lattice(scene, x, y)
-                                   : shade_look(look_named(look), scene, x, y, hit);
+          if (look == "lattice") return see_through_lattice(scene, x, y);
+          if (look == "golden lattice") return see_through_lattice(scene, x, y, {0.9, 0.8, 0.6});
+          if (look == "phong at the corners") return phong_at_corners(hit);
+          return shade_look(look_named(look), scene, x, y, hit);
         });
     expect_agreement(file, agreement);
     EXPECT_GT(agreement.drawn, 1000) << file;
@@ -306,13 +311,32 @@ class PlanetFigure {
   }
 
  private:
-  static const Maps& maps() {
+  /// What light adds is mixed between the corners, not the colours it gives: so nothing clamps
+  /// before.
+  Shade phong_at_corners(const Hit& hit) const {
+    Lighting dull = lighting_;
+    dull.specular = 0;
+    Shade sum{.color = Eigen::Vector3d::Zero()};
+    for (int i = 0; i < 3; ++i) {
+      const Hit corner = Surface::corner(hit, i);
+      const auto light = [&](const Lighting& lighting, const Eigen::Vector3d& color) {
+        return light_point(lighting, surface_.position(corner), surface_.normal(corner), color)
+            .color;
+      };
+      sum.color += hit.weights[i] * (light(dull, surface_.color(corner)) +
+                                     light(lighting_, Eigen::Vector3d::Zero()));
+    }
+    return sum;
+  }
+
+  static const Maps& maps(const std::string& look) {
     const auto read = [](const char* file) {
       return DeepTexture(read_image<Rgb8>(source_folder() / "data" / file));
     };
-    static const Maps all{read("planet_color.png"), read("planet_normal_tangent.png"),
-                          read("planet_specular.png")};
-    return all;
+    static const Maps tangent{read("planet_color.png"), read("planet_normal_tangent.png"),
+                              read("planet_specular.png")};
+    static const Maps object{tangent.color, read("planet_normal_object.png"), tangent.specular};
+    return look == "normal_object" ? object : tangent;
   }
 
   Mesh mesh_;
@@ -352,6 +376,25 @@ TEST(stage07_figures, five_levels) {
   figure.expect("07.3_quantized.png", figures("07.3_quantized.png"), "quantized");
 }
 
+TEST(stage07_figures, a_ball_with_holes) {
+  PlanetFigure(PlanetFigure::colored(48), {0, 1, 3}, from_the_left, 360)
+      .expect("07.1_lattice.png", Figures("07_shaders", "07.1")("07.1_lattice.png"),
+              "golden lattice");
+}
+
+TEST(stage07_figures, normals_from_maps) {
+  const Figures figures("07_shaders", "07.4");
+  const PlanetFigure figure(PlanetFigure::in_one_color("uv_sphere:32", {0.9F, 0.9F, 0.9F}),
+                            {0, 1, 3}, from_the_left, 360);
+  for (const auto& [name, look] : {std::pair{"without", "gouraud"},
+                                   {"tangent_space", "normal"},
+                                   {"planet", "normal_texture"},
+                                   {"object_space", "normal_object"}}) {
+    const std::string file = std::string("07.4_") + name + ".png";
+    figure.expect(file, figures(file), look);
+  }
+}
+
 TEST(stage07_figures, a_bowl_culled) {
   const Figures figures("07_shaders", "07.5");
   Mesh bowl = PlanetFigure::colored(24);
@@ -373,30 +416,83 @@ TEST(stage07_figures, phong_with_the_courses_parameters) {
   const Mesh planet = PlanetFigure::in_one_color("uv_sphere:32", {1, 128 / 255.0F, 1});
   Lighting lighting{.light = {0, 0, 1, 0}, .ambient = 0.1, .diffuse = 1, .specular = 0.5};
   lighting.shininess = 10;
-  PlanetFigure(planet, {0, 1, 3}, lighting, 240)
-      .expect("Phong", quarter(sheet, 240, 0, 0), "phong");
+  const PlanetFigure plain(planet, {0, 1, 3}, lighting, 240);
+  plain.expect("Phong", quarter(sheet, 240, 0, 0), "phong");
+  plain.expect("Phong normal", quarter(sheet, 240, 1, 0), "phong_normal");
   lighting.specular = 1;
-  PlanetFigure(planet, {0, 1, 3}, lighting, 240)
-      .expect("Phong texture", quarter(sheet, 240, 0, 1), "phong_texture");
+  const PlanetFigure textured(planet, {0, 1, 3}, lighting, 240);
+  textured.expect("Phong texture", quarter(sheet, 240, 0, 1), "phong_texture");
+  textured.expect("Phong normal texture", quarter(sheet, 240, 1, 1), "phong_normal_texture");
 }
 
 TEST(stage07_figures, every_shader_alone) {
   const Figures figures("07_shaders", "07.7");
   const PlanetFigure figure(PlanetFigure::colored(24), {0, 1, 3}, from_the_left, 240);
   for (const ShaderLook& look : shader_looks()) {
-    if (look.normal_mapped()) continue;
     const std::string file = "07.7_" + look.name + ".png";
     figure.expect(file, figures(file), look.name);
   }
   figure.expect("07.7_lattice.png", figures("07.7_lattice.png"), "lattice");
 }
 
+/// One of the pictures of a sheet of six columns, 1 pixel apart.
+Image<Rgb8> cell_of(const Image<Rgb8>& sheet, int side, int place) {
+  Image<Rgb8> cell(side, side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      cell(x, y) = sheet(place % 6 * (side + 1) + x, place / 6 * (side + 1) + y);
+    }
+  }
+  return cell;
+}
+
+/// "_0018" for frame 18.
+std::string frame_number(int frame) {
+  return std::string("_00") + (frame < 10 ? "0" : "") + std::to_string(frame);
+}
+
+TEST(stage07_figures, the_light_going_round_all_shaders) {
+  const Figures figures("07_shaders", "07.7");
+  for (const int frame : {3, 14}) {
+    const double angle = 2 * std::numbers::pi * frame / 24;
+    Lighting lighting = from_the_left;
+    const Eigen::AngleAxisd turn(angle, Eigen::Vector3d::UnitY());
+    lighting.light.head<3>() = turn * from_the_left.light.head<3>();
+    const PlanetFigure figure(PlanetFigure::colored(24), {0, 1, 3}, lighting, 80);
+    const Image<Rgb8> sheet = figures("07.7_light" + frame_number(frame) + ".png");
+    int place = 0;
+    for (const ShaderLook& look : shader_looks()) {
+      figure.expect(look.name + frame_number(frame), cell_of(sheet, 80, place++), look.name);
+    }
+    figure.expect("lattice" + frame_number(frame), cell_of(sheet, 80, place), "lattice");
+  }
+}
+
 TEST(stage07_figures, phong_at_every_pixel) {
+  const Figures figures("07_shaders", "07.8");
   const Lighting lighting{.light = {-1, 0.7, 1, 0}};
-  PlanetFigure(PlanetFigure::in_one_color("torus_knot:8", {0.9F, 0.7F, 0.5F}), {0, 1.2, 2.8},
-               lighting, 360)
-      .expect("07.8_per_fragment.png", Figures("07_shaders", "07.8")("07.8_per_fragment.png"),
-              "phong");
+  const PlanetFigure knot(PlanetFigure::in_one_color("torus_knot:8", {0.9F, 0.7F, 0.5F}),
+                          {0, 1.2, 2.8}, lighting, 360);
+  knot.expect("07.8_per_fragment.png", figures("07.8_per_fragment.png"), "phong");
+  knot.expect("07.8_per_vertex.png", figures("07.8_per_vertex.png"), "phong at the corners");
+  Mesh bunny = read_mesh("/usr/share/glmark2/models/bunny.obj");
+  bunny.normals.clear();
+  bunny.colors.assign(bunny.positions.size(), {0.9F, 0.7F, 0.5F});
+  PlanetFigure(bunny, {0.3, 0.8, 3.4}, lighting, 360)
+      .expect("07.8_bunny.png", figures("07.8_bunny.png"), "phong");
+}
+
+TEST(stage07_figures, a_planet_with_all_maps_from_all_around) {
+  const Figures figures("07_shaders", "07.8");
+  const Mesh planet = PlanetFigure::colored(64);
+  PlanetFigure(planet, {0, 1, 3}, from_the_left, 360)
+      .expect("07.8_planet.png", figures("07.8_planet.png"), "phong_all_maps");
+  for (const int frame : {5, 18}) {
+    const Eigen::AngleAxisd turn(2 * std::numbers::pi * frame / 24, Eigen::Vector3d::UnitY());
+    const std::string file = "07.8_camera" + frame_number(frame) + ".png";
+    PlanetFigure(planet, turn * Eigen::Vector3d(0, 1, 3), from_the_left, 160)
+        .expect(file, figures(file), "phong_all_maps");
+  }
 }
 
 }  // namespace

@@ -213,7 +213,7 @@ std::optional<Expected> expected_of(const ClipTriangle& triangle) {
 
 TEST(stage04_clip_homogeneous, what_is_cut_covers_what_its_snapped_outline_winds_round) {
   RandomValues random(4095);
-  std::int64_t covered = 0;
+  std::int64_t drawn = 0;
   std::int64_t turned_over = 0;
   std::int64_t doubles = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -249,7 +249,7 @@ TEST(stage04_clip_homogeneous, what_is_cut_covers_what_its_snapped_outline_winds
         ASSERT_TRUE(count > 0 || sum <= 0) << "a gap in case " << i;
         ASSERT_TRUE(count <= 1 || least < 0)
             << "a double in case " << i << " that no part turned over explains";
-        covered += count;
+        drawn += count;
         if (uncut_over) continue;
         turned_over += least < 0 ? 1 : 0;
         doubles += count > 1 ? 1 : 0;
@@ -257,7 +257,7 @@ TEST(stage04_clip_homogeneous, what_is_cut_covers_what_its_snapped_outline_winds
     }
   }
   RecordProperty("pixels_covered_twice", static_cast<int>(doubles));
-  EXPECT_GT(covered, 10000);
+  EXPECT_GT(drawn, 10000);
   EXPECT_GT(turned_over, 500) << "slivers that snapping does not turn over prove nothing";
   EXPECT_LT(doubles, turned_over / 10) << "most of what is turned over must not be seen";
 }
