@@ -1,4 +1,6 @@
 // A fixed part of what `./lab stress` draws without end.
+#include "common/projection/clip.h"
+
 #include "tests/stress/family.h"
 #include "tests/stress/special_floats.h"
 #include "tests/support/scratch.h"
@@ -64,6 +66,19 @@ TEST(stress_fixed, every_special_float_in_every_component) {
     }
   }
   std::printf("%lld samples, 0 violations\n", static_cast<long long>(samples));
+}
+
+/// Nine corners are left of it, more than a convex polygon has after five planes; the engine had
+/// room for eight.
+TEST(stress_fixed, a_polygon_that_rounding_has_bent) {
+  const Family& family = family_named("beyond_range");
+  const Numbers numbers = draw(family, 606, 14005);
+  ClipTriangle triangle;
+  for (std::size_t i = 0; i < 12; ++i) {
+    triangle[i / 4][static_cast<Eigen::Index>(i % 4)] = static_cast<float>(numbers[i]);
+  }
+  EXPECT_GT(clip_homogeneous(triangle, guard_band(64, 48)).size(), 8U);
+  EXPECT_EQ(check(family, numbers).violations, 0);
 }
 
 /// "No number is above 100, and none is NaN."
