@@ -137,7 +137,7 @@ inline void draw_medium(const Tile& tile, const PackedTriangles& triangles, bool
           blocks_in_bounds(tile, t.left[lane], t.right[lane], t.top[lane], t.bottom[lane]);
       if (skip_hidden) open = without_hidden(tile, open, t.nearest[lane], statistics);
       if (open == 0) continue;
-      const std::uint32_t key = triangles.key[static_cast<std::size_t>(from + i)];
+      const std::uint32_t key = triangles.key[static_cast<std::size_t>(from) + lane];
       drawn |= MediumTriangle(tile, t, lane, key).draw(open);
     }
     update_far(tile, drawn);

@@ -109,7 +109,7 @@ struct Spans {
 RASTERLAB_AVX512 inline Spans spans_of(const std::array<Side, 3>& sides, __m256i rows, int width) {
   const __m512d center =
       _mm512_add_pd(_mm512_mul_pd(_mm512_cvtepi32_pd(rows), _mm512_set1_pd(subpixels)),
-                    _mm512_set1_pd(subpixels / 2));
+                    _mm512_set1_pd(0.5 * subpixels));
   const __m512d last = _mm512_set1_pd(width);
   __m512d begin = _mm512_setzero_pd();
   __m512d end = last;
