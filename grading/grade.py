@@ -37,7 +37,15 @@ class Grader:
         catalogue.prepare(self.kit, self.run_all)
 
     def run_all(self, work: Callable[[Argument], Result], items: Iterable[Argument]) -> list[Result]:
-        return list(self._pool.map(work, items))
+        futures = [self._pool.submit(work, item) for item in items]
+        try:
+            return [future.result() for future in futures]
+        except BaseException:
+            # What has begun still writes to folders that the caller is about to remove.
+            for future in futures:
+                future.cancel()
+            concurrent.futures.wait(futures)
+            raise
 
     def record_path(self, name: str) -> pathlib.Path:
         return self.out / "records" / f"{name}.json"

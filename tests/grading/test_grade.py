@@ -2,6 +2,8 @@
 
 import os
 import pathlib
+import threading
+import time
 import types
 from typing import Any
 
@@ -129,6 +131,25 @@ def test_shards_together_are_the_whole_run(tmp_path: pathlib.Path, monkeypatch: 
     assert term.grade("parts", "--shard", "1/2") == ["anna", "carla", "emil"]
     assert term.grade("parts", "--shard", "2/2") == ["ben", "dora"]
     assert term.report("parts") == term.report("whole")
+
+
+def test_an_interrupt_waits_for_what_has_begun(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(jail, "unenforced", lambda: ())
+    grader = Grader(types.SimpleNamespace(), tmp_path, jobs=2)  # type: ignore[arg-type]
+    begun = threading.Event()
+    ended: list[int] = []
+
+    def work(item: int) -> None:
+        if item == 0:
+            begun.wait()
+            raise KeyboardInterrupt
+        begun.set()
+        time.sleep(0.1)
+        ended.append(item)
+
+    with pytest.raises(KeyboardInterrupt):
+        grader.run_all(work, [0, 1])
+    assert ended == [1]
 
 
 @pytest.mark.skipif("RASTERLAB_LONG_TESTS" not in os.environ, reason="builds the reference: set RASTERLAB_LONG_TESTS=1")
