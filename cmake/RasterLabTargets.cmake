@@ -39,6 +39,7 @@ function(rasterlab_add_stage stage)
   set(manifest "${PROJECT_BINARY_DIR}/manifests/${stage}.cpp")
   configure_file("${PROJECT_SOURCE_DIR}/cmake/manifest.cpp.in" "${manifest}" @ONLY)
   rasterlab_add_program(${stage} ${sources} "${manifest}")
+  target_compile_options(${stage} PRIVATE "$<$<CONFIG:RelWithDebInfo>:-O0>") # the sanitizers' builds: quicker to make
   if(simd_sources)
     rasterlab_add_simd_sources(${stage} ${simd_sources})
   endif()

@@ -91,6 +91,12 @@ bool is_picture(const Record& record) {
          record.kind == RecordKind::coverage;
 }
 
+/// Whether a place in one picture is one in the other, with as much stored there. What a program
+/// wrote may be anything: no pixel of it is looked up before this is known.
+bool same_layout(const Record& a, const Record& b) {
+  return a.kind == b.kind && a.width == b.width && a.height == b.height && a.channels == b.channels;
+}
+
 /// "12 pixels missing, 3 extra; the first wrong one is (4, 7): …".
 struct PictureCount {
   std::size_t right = 0, missing = 0, extra = 0, different = 0;
@@ -147,8 +153,7 @@ std::string describe(const Record& expected, const Record& actual, const Picture
 }
 
 Comparison compare_pictures(const Record& expected, const Record& actual) {
-  if (actual.width != expected.width || actual.height != expected.height ||
-      actual.channels != expected.channels) {
+  if (!same_layout(expected, actual)) {
     std::ostringstream text;
     text << "The picture is " << actual.width << "x" << actual.height << ", expected "
          << expected.width << "x" << expected.height << ".";
@@ -214,9 +219,7 @@ Comparison compare(const Record& expected, const Record& actual) {
 std::size_t wrong_places(const Record& expected, const Record& other) {
   if (other.kind != expected.kind || other.name != expected.name) return 1;
   if (is_picture(expected)) {
-    if (other.width != expected.width || other.height != expected.height ||
-        other.channels != expected.channels)
-      return 1;
+    if (!same_layout(expected, other)) return 1;
     return count_pixels(expected, other).wrong();
   }
   if (expected.kind == RecordKind::numbers) {
@@ -231,12 +234,12 @@ std::size_t wrong_places(const Record& expected, const Record& other) {
 
 double likeness(const Record& expected, const Record& actual, const Record& other) {
   if (wrong_places(expected, other) == 0) return 0;
-  if (actual.kind != other.kind || actual.name != other.name || actual.width != other.width ||
-      actual.height != other.height || actual.numbers.size() != other.numbers.size())
+  if (actual.name != other.name || !same_layout(actual, other) ||
+      actual.numbers.size() != other.numbers.size())
     return 0;
   if (expected.kind == RecordKind::text) return actual.text == other.text ? 1 : 0;
   if (expected.kind == RecordKind::segment) return actual.numbers == other.numbers ? 1 : 0;
-  if (expected.width != other.width || expected.height != other.height ||
+  if (!same_layout(expected, other) ||
       (expected.kind == RecordKind::numbers && expected.numbers.size() != other.numbers.size()))
     return wrong_places(other, actual) == 0 ? 1 : 0;
   std::size_t alike = 0;
@@ -271,9 +274,7 @@ std::string kind_of_wrong(const Record& expected, const Record& actual) {
 }
 
 std::string character_grid(const Record& expected, const Record& actual) {
-  if (!is_picture(expected) || actual.width != expected.width || actual.height != expected.height ||
-      actual.channels != expected.channels)
-    return "";
+  if (!is_picture(expected) || !same_layout(expected, actual)) return "";
   int left = expected.width, right = -1, top = expected.height, bottom = -1;
   const std::size_t background = background_pixel(expected);
   const auto at = [&](int x, int y) {
@@ -331,9 +332,7 @@ Image<Rgb8> to_image(const Record& record) {
 }
 
 Image<Rgb8> difference_image(const Record& expected, const Record& actual) {
-  if (!is_picture(expected) || actual.width != expected.width || actual.height != expected.height ||
-      actual.channels != expected.channels)
-    return {};
+  if (!is_picture(expected) || !same_layout(expected, actual)) return {};
   Image<Rgb8> image(expected.width, expected.height);
   const std::size_t background = background_pixel(expected);
   static constexpr Rgb8 colors[] = {{0, 0, 0},

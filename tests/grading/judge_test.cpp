@@ -102,6 +102,35 @@ TEST(grading_compare, likeness_is_of_what_is_wrong) {
   EXPECT_EQ(likeness(expected, picture({0, 0, 0, 0, 9}), expected), 0);
 }
 
+TEST(grading_compare, looks_up_no_pixel_where_none_can_be) {
+  const Record expected = {.name = "p",
+                           .kind = RecordKind::picture,
+                           .width = 2,
+                           .height = 1,
+                           .channels = 3,
+                           .bytes = {9, 9, 9, 0, 0, 0}};
+  const Record grey = {.name = "p",
+                       .kind = RecordKind::picture,
+                       .width = 2,
+                       .height = 1,
+                       .channels = 1,
+                       .bytes = {9, 0}};
+  const Record depths = {.name = "p",
+                         .kind = RecordKind::values,
+                         .width = 2,
+                         .height = 1,
+                         .channels = 3,
+                         .numbers = {9, 0}};
+  for (const Record& written : {grey, depths}) {
+    EXPECT_FALSE(compare(expected, written).right);
+    EXPECT_EQ(character_grid(expected, written), "");
+    EXPECT_TRUE(difference_image(expected, written).empty());
+    EXPECT_EQ(likeness(expected, written, expected), 0);
+    EXPECT_EQ(likeness(expected, expected, written), 0);
+    EXPECT_EQ(likeness(expected, written, written), 1) << "the same mistake, whatever it is";
+  }
+}
+
 TEST(grading_records, are_read_as_written) {
   const ScratchFolder folder;
   Results results;
