@@ -41,6 +41,11 @@ inline WindowPoints to_window(const ClipTransform& transform, const ClipPoints& 
   return {round_to_ints(x), round_to_ints(y), direct};
 }
 
+/// Depths of corners go no further beyond the far plane than this, so that what is mixed of three
+/// stays finite. Nothing of a triangle is drawn so far there, and where it meets the far plane
+/// changes by less than any rounding.
+inline constexpr float farthest_depth = 0x1p126F;
+
 /// (w − z) / 2w, to nearest.
 inline Number reversed_depth(const ClipTransform& transform, Number x, Number y, Number z,
                              Number w) {
@@ -48,7 +53,7 @@ inline Number reversed_depth(const ClipTransform& transform, Number x, Number y,
   const Doubles numerator = ((Doubles(row[0]) * to_doubles(x) + Doubles(row[1]) * to_doubles(y)) +
                              Doubles(row[2]) * to_doubles(z)) +
                             Doubles(row[3]);
-  return to_number(numerator / to_doubles(w));
+  return maximum(Number(-farthest_depth), to_number(numerator / to_doubles(w)));
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -63,7 +68,8 @@ struct ClippedCorner {
   /// Of w at a cut single precision may leave nothing but rounding, which the numerator does not
   /// share.
   float reversed_depth() const {
-    return static_cast<float>(depth / (depth_w != 0 ? depth_w : static_cast<double>(w)));
+    const double exact = depth / (depth_w != 0 ? depth_w : static_cast<double>(w));
+    return static_cast<float>(std::clamp<double>(exact, -farthest_depth, farthest_depth));
   }
 };
 

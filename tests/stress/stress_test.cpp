@@ -81,6 +81,15 @@ TEST(stress_fixed, a_polygon_that_rounding_has_bent) {
   EXPECT_EQ(check(family, numbers).violations, 0);
 }
 
+/// What is left of it reaches so far beyond the far plane that single precision had no number for
+/// the depth.
+TEST(stress_fixed, a_corner_further_than_any_float) {
+  const Numbers numbers = {1, -1.75, 0x1.fffffep+127, 1.625, 0, 0x1p-24, 0, 1, 0, 0, 0, -0x1p+24};
+  const Verdict verdict = check(family_named("special_floats"), numbers);
+  EXPECT_GT(verdict.samples, 0);
+  EXPECT_EQ(verdict.violations, 0);
+}
+
 /// "No number is above 100, and none is NaN."
 Family toy() {
   return {"toy",
