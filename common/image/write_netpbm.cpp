@@ -60,7 +60,11 @@ std::string encode_samples(const Image<Pixel>& image, bool text) {
   for (int y = 0; y < image.height(); ++y) {
     const auto* row = reinterpret_cast<const Sample*>(image.row(y));
     for (int i = 0; i < image.width() * pixel_kind<Pixel>.channels; ++i) {
-      text ? raster.add(row[i]) : append_binary(bytes, row[i]);
+      if (text) {
+        raster.add(row[i]);
+      } else {
+        append_binary(bytes, row[i]);
+      }
     }
     if (text) raster.end_line();
   }

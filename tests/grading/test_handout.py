@@ -29,13 +29,13 @@ def test_sources_include_only_what_is_handed_out(stage: str) -> None:
     files = handout.make_starter([stage]).files
     there = {*files, "common/engine/compiled_simd_targets.h", *(n.removesuffix(".in") for n in files if n.endswith(".h.in"))}
     # What stage 03 compiles for its own tests is of no use before it.
-    todo = [name for name in files if name.endswith(".cpp") and name != "tests/oracle/exact_visibility.cpp"]
-    seen = set(todo)
-    while todo:
-        name = todo.pop()
+    pending = [name for name in files if name.endswith(".cpp") and name != "tests/oracle/exact_visibility.cpp"]
+    seen = set(pending)
+    while pending:
+        name = pending.pop()
         found = re.findall(r'^#include "((?:common|bench|tests|0\d_\w+)/.+)"', files.get(name, b"").decode(), re.MULTILINE)
         assert set(found) <= there, name
-        todo += set(found) - seen
+        pending += set(found) - seen
         seen.update(found)
 
 
