@@ -5,6 +5,7 @@
 #include "common/engine/hidden_clusters.h"
 #include "common/engine/simd_kernels.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -83,6 +84,31 @@ void make_area_positive(Triangles& t, Number area) {
   exchange(t.depth[1], t.depth[2]);
 }
 
+/// Depths are mixed of the first corner's and of what the others add. Beyond the far plane, below
+/// 0, they may be so far away that added to one of them a nearer one is lost: where a triangle
+/// reaches there, its nearest corner becomes the first.
+void start_before_far_plane(Triangles& t) {
+  const Truth beyond = minimum(minimum(t.depth[0], t.depth[1]), t.depth[2]) < Number(0);
+  if (!any(beyond)) return;
+  for (int times = 0; times < 2; ++times) {
+    const Truth turn = beyond && t.depth[0] < maximum(t.depth[1], t.depth[2]);
+    const auto rotate = [turn](auto& a) {
+      a = {select(turn, a[1], a[0]), select(turn, a[2], a[1]), select(turn, a[0], a[2])};
+    };
+    rotate(t.x);
+    rotate(t.y);
+    rotate(t.depth);
+  }
+}
+
+void start_before_far_plane(LargeTriangle& t) {
+  if (*std::min_element(t.depth.begin(), t.depth.end()) >= 0) return;
+  const auto nearest = std::max_element(t.depth.begin(), t.depth.end()) - t.depth.begin();
+  std::rotate(t.x.begin(), t.x.begin() + nearest, t.x.end());
+  std::rotate(t.y.begin(), t.y.begin() + nearest, t.y.end());
+  std::rotate(t.depth.begin(), t.depth.begin() + nearest, t.depth.end());
+}
+
 Truth in_picture(const DrawJob& job, const SampleBounds& bounds) {
   return bounds.right >= Ints(0) && bounds.left < Ints(job.frame.width()) &&
          bounds.bottom >= Ints(0) && bounds.top < Ints(job.frame.height());
@@ -103,6 +129,7 @@ void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Bi
     std::swap(y[1], y[2]);
     std::swap(depth[1], depth[2]);
   }
+  start_before_far_plane(triangle);
   const PixelBounds pixels = pixels_of(part, job.frame);
   if (pixels.left <= pixels.right && pixels.top <= pixels.bottom) {
     binning.add_large(triangle, pixels);
@@ -166,6 +193,7 @@ void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& 
     const Truth hits = shown && bounds.left <= bounds.right && bounds.top <= bounds.bottom;
     const Truth seen = hits && in_picture(job, bounds);
     make_area_positive(t, area);
+    start_before_far_plane(t);
     statistics.triangles_culled += static_cast<unsigned>(std::popcount(bits(alive && !shown)));
     statistics.triangles_missed += static_cast<unsigned>(std::popcount(bits(shown && !seen)));
     binning.add(t, area, seen, bounds, clusters.triangle.data() + from);

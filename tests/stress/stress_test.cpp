@@ -90,6 +90,15 @@ TEST(stress_fixed, a_corner_further_than_any_float) {
   EXPECT_EQ(verdict.violations, 0);
 }
 
+/// The centre of pixel (39, 15) lies on the edge that faces the corner beyond the far plane: its
+/// depth is of the other two corners alone.
+TEST(stress_fixed, an_edge_that_faces_a_corner_beyond_the_far_plane) {
+  const Numbers numbers = {1, 0, 0x1.fffffep+127, 1, 1, 0x1.82d3p+0, 0, 0x1.fc67p+0, 0, 0, 0, 1};
+  const Verdict verdict = check(family_named("special_floats"), numbers);
+  EXPECT_GT(verdict.samples, 0);
+  EXPECT_EQ(verdict.violations, 0);
+}
+
 /// "No number is above 100, and none is NaN."
 Family toy() {
   return {"toy",
