@@ -109,8 +109,11 @@ Picture take_picture(const std::string& stage, const std::string& mesh, int widt
           .ids = read_image<float>(scratch / "ids.pfm")};
 }
 
-Figures::Figures(const std::string& stage, const std::string& exercise) {
-  run({program(stage), "--exercise", exercise, "--out", folder_.path()});
+Figures::Figures(const std::string& stage, const std::string& exercise,
+                 const std::vector<std::string>& flags) {
+  std::vector<std::string> command{program(stage), "--exercise", exercise, "--out", folder_.path()};
+  command.insert(command.end(), flags.begin(), flags.end());
+  run(command);
 }
 
 Image<Rgb8> Figures::operator()(const std::string& file) const {
@@ -125,8 +128,9 @@ void Agreement::add_fault(const std::string& what) {
 std::ostream& operator<<(std::ostream& stream, const Agreement& agreement) {
   return stream << agreement.wrong << " of " << agreement.compared << " pixels differ ("
                 << agreement.drawn << " show a face, " << agreement.crossing
-                << " where two faces cross, " << agreement.snapping << " may be snapped otherwise; "
-                << agreement.near_edge << " more lie within 1/128 px of an edge)\n"
+                << " where two faces cross, " << agreement.snapping
+                << " right with a corner snapped otherwise; " << agreement.near_edge
+                << " more lie within 1/128 px of an edge)\n"
                 << agreement.first_faults;
 }
 

@@ -42,11 +42,13 @@ struct Picture {
 Picture take_picture(const std::string& stage, const std::string& mesh, int width, int height,
                      const std::vector<std::string>& flags);
 
-/// The pictures that an exercise of a stage writes, at the size they have by themselves.
+/// The pictures that an exercise of a stage writes, at the size they have by themselves or another.
 class Figures {
  public:
-  /// Runs `stage --exercise ID`. Throws std::runtime_error with what it printed when it fails.
-  Figures(const std::string& stage, const std::string& exercise);
+  /// Runs `stage --exercise ID FLAGS`. Throws std::runtime_error with what it printed when it
+  /// fails.
+  Figures(const std::string& stage, const std::string& exercise,
+          const std::vector<std::string>& flags = {});
 
   /// Of "04.4_cube.png".
   Image<Rgb8> operator()(const std::string& file) const;
@@ -61,7 +63,7 @@ struct Agreement {
   int near_edge = 0;  ///< the others, which are not compared
   int crossing = 0;   ///< another face than the witness's, but one that crosses it within 1/128 px
   int drawn = 0;      ///< compared pixels where the witness sees a face
-  int snapping = 0;   ///< a few codes off, on a face that may be snapped in another way
+  int snapping = 0;   ///< right only with a corner of their face snapped the other way of a tie
   int wrong = 0;      ///< compared pixels that differ
   std::string first_faults;
 

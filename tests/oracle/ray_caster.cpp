@@ -81,7 +81,7 @@ RayCaster::RayCaster(const Mesh& mesh, const Camera& camera, int width, int heig
     std::array<Eigen::Vector3d, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]].cast<double>();
     faces_.push_back(corners);
-    snapped_pieces_.push_back(snapped_pieces(corners));
+    snapped_pieces_.push_back(snapped_pieces(static_cast<int>(faces_.size()) - 1, 0));
   }
   order_.resize(faces_.size());
   std::iota(order_.begin(), order_.end(), 0);
@@ -166,40 +166,12 @@ Hit RayCaster::cast_plane(double x, double y, int face) const {
   return intersect(ray(x, y), face);
 }
 
-namespace {
-
-/// A corner of what cutting leaves: in clip space, and which part of each corner of the face it
-/// has.
-struct CutCorner {
-  Eigen::Vector4d clip;
-  Eigen::Vector3d weights;
-};
-
-/// What has plane · clip ≥ 0.
-std::vector<CutCorner> cut_at(const std::vector<CutCorner>& polygon,
-                              const Eigen::RowVector4d& plane) {
-  std::vector<CutCorner> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const CutCorner& a = polygon[i];
-    const CutCorner& b = polygon[(i + 1) % polygon.size()];
-    const double at_a = plane * a.clip;
-    const double at_b = plane * b.clip;
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a >= 0) == (at_b >= 0)) continue;
-    const double t = at_a / (at_a - at_b);
-    kept.push_back({a.clip + t * (b.clip - a.clip), a.weights + t * (b.weights - a.weights)});
-  }
-  return kept;
-}
-
-}  // namespace
-
-RayCaster::SnappedPieces RayCaster::snapped_pieces(
-    const std::array<Eigen::Vector3d, 3>& corners) const {
+std::vector<RayCaster::CutCorner> RayCaster::cut(int face) const {
   std::vector<CutCorner> polygon;
   for (int i = 0; i < 3; ++i) {
-    polygon.push_back(
-        {to_clip_ * corners[static_cast<std::size_t>(i)].homogeneous(), Eigen::Vector3d::Unit(i)});
+    const Eigen::Vector3d& corner =
+        faces_[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
+    polygon.push_back({to_clip_ * corner.homogeneous(), Eigen::Vector3d::Unit(i)});
   }
   const double guard_x = std::max(32768.0 / width_ - 1, 1.0);
   const double guard_y = std::max(32768.0 / height_ - 1, 1.0);
@@ -207,49 +179,114 @@ RayCaster::SnappedPieces RayCaster::snapped_pieces(
        {Eigen::RowVector4d(0, 0, 1, 1), Eigen::RowVector4d(1, 0, 0, guard_x),
         Eigen::RowVector4d(-1, 0, 0, guard_x), Eigen::RowVector4d(0, 1, 0, guard_y),
         Eigen::RowVector4d(0, -1, 0, guard_y)}) {
-    polygon = cut_at(polygon, plane);
+    std::vector<CutCorner> kept;  // what has plane · clip ≥ 0
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const CutCorner& a = polygon[i];
+      const CutCorner& b = polygon[(i + 1) % polygon.size()];
+      const double at_a = plane * a.clip;
+      const double at_b = plane * b.clip;
+      if (at_a >= 0) kept.push_back(a);
+      if ((at_a >= 0) == (at_b >= 0)) continue;
+      const double t = at_a / (at_a - at_b);
+      kept.push_back({a.clip + t * (b.clip - a.clip), a.weights + t * (b.weights - a.weights)});
+    }
+    polygon = kept;
+  }
+  return polygon;
+}
+
+namespace {
+
+/// Rounds window coordinates to 1/256 px, those in doubt as the bits of a snapping say.
+class Snapper {
+ public:
+  explicit Snapper(int snapping) : snapping_(snapping) {}
+
+  double operator()(double pixels) {
+    const double units = pixels * 256;
+    const double nearest = std::nearbyint(units);
+    const bool in_doubt = 0.5 - std::abs(units - nearest) < 256 * 0x1p-14;
+    if (!in_doubt) return nearest / 256;
+    const bool other = ((snapping_ >> in_doubt_++) & 1) != 0;
+    return (other ? nearest + (units > nearest ? 1 : -1) : nearest) / 256;
+  }
+
+  int in_doubt() const { return in_doubt_; }
+
+ private:
+  int snapping_;
+  int in_doubt_ = 0;
+};
+
+}  // namespace
+
+Eigen::Vector2d RayCaster::in_window(const Eigen::Vector4d& clip) const {
+  return {(clip.x() / clip.w() + 1) * width_ / 2, (1 - clip.y() / clip.w()) * height_ / 2};
+}
+
+int RayCaster::snappings(int face) const {
+  Snapper snapper(0);
+  for (const CutCorner& corner : cut(face)) {
+    for (const double coordinate : in_window(corner.clip)) snapper(coordinate);
+  }
+  return 1 << snapper.in_doubt();
+}
+
+RayCaster::SnappedPieces RayCaster::snapped_pieces(int face, int snapping) const {
+  const std::vector<CutCorner> polygon = cut(face);
+  std::vector<Eigen::Vector3d> snapped;  // x, y, 1
+  Snapper snapper(snapping);
+  for (const CutCorner& corner : polygon) {
+    const Eigen::Vector2d window = in_window(corner.clip);
+    const double x = snapper(window.x());
+    snapped.emplace_back(x, snapper(window.y()), 1);
   }
   SnappedPieces pieces;
   for (std::size_t last = 2; last < polygon.size(); ++last) {
-    Eigen::Matrix3d window;  // a column a corner: x, y, 1
+    Eigen::Matrix3d window;  // a column a corner
     Eigen::Matrix3d weights;
     int column = 0;
     for (const std::size_t i : {std::size_t{0}, last - 1, last}) {
-      const auto& [clip, of_face] = polygon[i];
-      window(0, column) = std::nearbyint((clip.x() / clip.w() + 1) * width_ / 2 * 256) / 256;
-      window(1, column) = std::nearbyint((1 - clip.y() / clip.w()) * height_ / 2 * 256) / 256;
-      window(2, column) = 1;
-      weights.col(column++) = of_face / clip.w();
+      window.col(column) = snapped[i];
+      weights.col(column++) = polygon[i].weights / polygon[i].clip.w();
     }
     if (std::abs(window.determinant()) > 0) pieces.push_back({window.inverse(), weights});
   }
   return pieces;
 }
 
-Hit RayCaster::drawn_plane(double x, double y, int face) const {
-  Hit hit = cast_plane(x, y, face);
+RayCaster::PlaceInPiece RayCaster::place_in(const SnappedPieces& pieces, double x, double y) {
+  PlaceInPiece place;
   double best = -Hit::nothing;
-  for (const SnappedPiece& piece : snapped_pieces_[static_cast<std::size_t>(face)]) {
+  for (const SnappedPiece& piece : pieces) {
     const Eigen::Vector3d in_window = piece.in_window * Eigen::Vector3d(x, y, 1);
     if (in_window.minCoeff() <= best) continue;
-    best = in_window.minCoeff();  // the piece it lies in, or nearly
-    const Eigen::Vector3d weights = piece.in_space * in_window;
-    hit.weights = weights / weights.sum();
+    best = in_window.minCoeff();
+    place = {&piece, in_window};
   }
+  return place;
+}
+
+Hit RayCaster::drawn_plane(double x, double y, int face, int snapping) const {
+  Hit hit = cast_plane(x, y, face);
+  hit.snapping = snapping;
+  const SnappedPieces otherwise = snapping == 0 ? SnappedPieces() : snapped_pieces(face, snapping);
+  const PlaceInPiece place =
+      place_in(snapping == 0 ? snapped_pieces_[static_cast<std::size_t>(face)] : otherwise, x, y);
+  if (place.piece == nullptr) return hit;
+  const Eigen::Vector3d weights = place.piece->in_space * place.in_window;
+  hit.weights = weights / weights.sum();
   return hit;
 }
 
-bool RayCaster::may_snap_otherwise(int face) const {
-  const auto near_middle = [](double pixels) {
-    const double units = pixels * 256;
-    return std::abs(units - std::floor(units) - 0.5) < 256 * 0x1p-14;
-  };
-  for (const Eigen::Vector3d& corner : faces_[static_cast<std::size_t>(face)]) {
-    const Eigen::Vector4d clip = to_clip_ * corner.homogeneous();
-    if (near_middle((clip.x() / clip.w() + 1) * width_ / 2)) return true;
-    if (near_middle((1 - clip.y() / clip.w()) * height_ / 2)) return true;
-  }
-  return false;
+Hit RayCaster::affine_plane(double x, double y, int face) const {
+  Hit hit = cast_plane(x, y, face);
+  const PlaceInPiece place = place_in(snapped_pieces_[static_cast<std::size_t>(face)], x, y);
+  if (place.piece == nullptr) return hit;
+  // A column sums to 1/w of its corner.
+  const Eigen::Vector3d w = place.piece->in_space.colwise().sum().cwiseInverse().transpose();
+  hit.weights = place.piece->in_space * place.in_window.cwiseProduct(w);
+  return hit;
 }
 
 bool RayCaster::covers(double x, double y, int face) const {
@@ -341,9 +378,7 @@ std::vector<RayCaster::WindowPoint> RayCaster::outline(int face) const {
     const double inside = clip[i].z() + clip[i].w();
     const double next_inside = clip[next].z() + clip[next].w();
     const auto add = [&](const Eigen::Vector4d& p, const Eigen::Vector3d& in_space) {
-      const Eigen::Vector2d position((p.x() / p.w() + 1) * width_ / 2,
-                                     (1 - p.y() / p.w()) * height_ / 2);
-      points.push_back({position, distance_of(in_space)});
+      points.push_back({in_window(p), distance_of(in_space)});
     };
     if (inside >= 0) add(clip[i], corners[i]);
     if ((inside >= 0) != (next_inside >= 0)) {

@@ -49,6 +49,7 @@ struct Hit {
   bool front =
       true;  ///< seen from outside, where its corners go counter-clockwise in the mesh's space
   double ray_parameter = nothing;  ///< grows away from the eye; for comparing hits of one ray
+  int snapping = 0;                ///< how its corners are snapped, one of RayCaster::snappings()
 };
 
 class RayCaster {
@@ -71,11 +72,15 @@ class RayCaster {
   /// The same as a picture shows it: cut at the near plane and the guard band, corners snapped to
   /// 1/256 px, and attributes interpolated perspective-correctly from the snapped corners
   /// (docs/conventions.md).
-  Hit drawn_plane(double x, double y, int face) const;
+  Hit drawn_plane(double x, double y, int face, int snapping = 0) const;
 
-  /// Whether one of the face's corners is so near to the middle between two points of the grid of
-  /// 1/256 px, 2⁻¹⁴ px, that single precision may snap it to the other one.
-  bool may_snap_otherwise(int face) const;
+  /// The same with the weights in the window taken for those in space.
+  Hit affine_plane(double x, double y, int face) const;
+
+  /// In how many ways the face's corners may be snapped. A corner within 2⁻¹⁴ px of the middle
+  /// between two points of the grid is snapped to either in single precision: each bit of a
+  /// snapping stands for one such coordinate, 0 for what double precision does.
+  int snappings(int face) const;
 
   /// Whether window point (x, y) lies in the face's outline, on the visible side of the near plane
   /// and not culled.
@@ -114,6 +119,13 @@ class RayCaster {
     double distance;
   };
 
+  /// A corner of what cutting leaves: in clip space, and which part of each corner of the face it
+  /// has.
+  struct CutCorner {
+    Eigen::Vector4d clip;
+    Eigen::Vector3d weights;
+  };
+
   /// A triangle of what cutting has left of a face.
   struct SnappedPiece {
     Eigen::Matrix3d in_window;  ///< takes (x, y, 1) to weights of the piece's corners in the window
@@ -121,12 +133,21 @@ class RayCaster {
   };
   using SnappedPieces = std::vector<SnappedPiece>;
 
+  /// The piece that window point (x, y) lies in, or nearly, and where in it.
+  struct PlaceInPiece {
+    const SnappedPiece* piece = nullptr;
+    Eigen::Vector3d in_window = Eigen::Vector3d::Zero();
+  };
+
   Ray ray(double x, double y) const;
   template <class Visit>
   void traverse(const Ray& ray, const double& limit, Visit&& visit) const;
   Hit intersect(const Ray& ray, int face) const;
   bool is_culled(bool front) const;
-  SnappedPieces snapped_pieces(const std::array<Eigen::Vector3d, 3>& corners) const;
+  Eigen::Vector2d in_window(const Eigen::Vector4d& clip) const;
+  std::vector<CutCorner> cut(int face) const;
+  SnappedPieces snapped_pieces(int face, int snapping) const;
+  static PlaceInPiece place_in(const SnappedPieces& pieces, double x, double y);
   int build(int first, int count);
   double distance_of(const Eigen::Vector3d& point) const;
   std::vector<WindowPoint> outline(int face) const;
@@ -140,7 +161,7 @@ class RayCaster {
   Eigen::Matrix4d from_clip_;
   Eigen::RowVector4d view_axis_;  ///< distance along the view axis = view_axis_ · (p, 1)
   std::vector<std::array<Eigen::Vector3d, 3>> faces_;
-  std::vector<SnappedPieces> snapped_pieces_;  ///< of each face
+  std::vector<SnappedPieces> snapped_pieces_;  ///< of each face, as double precision snaps
   std::vector<int> order_;
   std::vector<Node> nodes_;
 };

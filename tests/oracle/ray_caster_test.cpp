@@ -2,6 +2,9 @@
 // it.
 #include "tests/oracle/ray_caster.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -183,6 +186,49 @@ TEST(oracle_ray_caster, crossing_planes_are_told_by_their_line) {
   EXPECT_NEAR(caster.crossing_distance(20.25, 20, 0, 1), 0.25, 1e-9);
   EXPECT_NEAR(caster.crossing_distance(17, 25, 0, 1), 3, 1e-9);
   EXPECT_EQ(caster.crossing_distance(20, 11, 0, 1), 0);
+}
+
+/// The corners of a triangle in the window of 40 × 40 pixels, all at the same distance.
+Mesh flat_triangle(const std::array<Eigen::Vector2d, 3>& window) {
+  Mesh mesh;
+  for (const Eigen::Vector2d& corner : window) {
+    mesh.positions.emplace_back(static_cast<float>(corner.x() / 20 - 1),
+                                static_cast<float>(1 - corner.y() / 20), -2.0F);
+  }
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+TEST(oracle_ray_caster, corners_near_a_tie_can_be_snapped_in_two_ways) {
+  const Camera camera{.projection = orthographic(2, 1, 1, 10)};
+  const double unit = 1.0 / 256;
+  const RayCaster plain(flat_triangle({{{4, 4}, {4, 36 + 0.4 * unit}, {36, 4}}}), camera, 40, 40);
+  EXPECT_EQ(plain.snappings(0), 1);
+  const RayCaster doubtful(
+      flat_triangle({{{4, 4}, {4, 36 + 0.4999 * unit}, {36 - 0.5001 * unit, 4}}}), camera, 40, 40);
+  EXPECT_EQ(doubtful.snappings(0), 4);
+  const std::array<Eigen::Vector2d, 4> far_sides{
+      {{36 - unit, 36}, {36 - unit, 36 + unit}, {36, 36}, {36, 36 + unit}}};
+  std::vector<Eigen::Vector2d> found;
+  for (int snapping = 0; snapping < 4; ++snapping) {
+    const Hit hit = doubtful.drawn_plane(12, 20, 0, snapping);
+    found.emplace_back(4 + 8 / hit.weights[2], 4 + 16 / hit.weights[1]);
+  }
+  for (const Eigen::Vector2d& sides : far_sides) {
+    EXPECT_TRUE(std::ranges::any_of(found, [&](const Eigen::Vector2d& other) {
+      return (other - sides).norm() < 1e-9;
+    })) << sides.transpose();
+  }
+}
+
+TEST(oracle_ray_caster, affine_weights_are_those_in_the_window) {
+  // The floor of weights_are_those_of_the_point_in_space: seen from row 100 to row 54 + 6/11.
+  const Mesh floor = one_triangle({-1, -1, -1}, {1, -1, -1}, {0, -1, -11});
+  const RayCaster caster(floor, {.projection = perspective(90, 1, 0.1, 200)}, 100, 100);
+  const double top = std::nearbyint((50 + 50.0 / 11) * 256) / 256;
+  for (const double y : {60.0, 75.0, 99.0}) {
+    EXPECT_NEAR(caster.affine_plane(50, y, 0).weights[2], (100 - y) / (100 - top), 1e-12);
+  }
 }
 
 TEST(oracle_ray_caster, cameras_put_points_where_they_belong) {

@@ -144,7 +144,7 @@ Shade shade_look(const ShaderLook& look, const ShadedScene& scene, double x, dou
                  const Hit& hit) {
   Steps steps{};
   if (look.reads_texture_coordinates()) {
-    steps = steps_at(scene.witness, scene.surface, x, y, hit.face);
+    steps = steps_at(scene.witness, scene.surface, x, y, hit);
   }
   Shade surface{.color = scene.surface.color(hit)};
   if (look.textured) surface = sample(scene.maps.color, scene.filter, "repeat", steps);

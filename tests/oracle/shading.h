@@ -100,9 +100,9 @@ void expect_figure(const std::string& name, const Image<Rgb8>& figure, const Fig
 /// within 1/128 px of an edge, pixels within 1/128 px of a jump of the colour are left out and
 /// counted as near an edge. Where nothing is hit, black is expected.
 ///
-/// A face of a pixel or two whose corner single precision snaps to the other of two points of the
-/// grid shows a texture a little shifted. Pixels of such faces up to four codes off are counted by
-/// themselves; more than one in two thousand are wrong.
+/// Single precision may snap a corner to the other of two points of the grid (snappings()). Pixels
+/// that differ are right where one such snapping of their face lets all of its pixels agree, and
+/// counted by themselves.
 Agreement compare_colors(const RayCaster& witness, const Image<Rgb8>& picture,
                          const ShadePixel& shade, int tolerance = 1);
 

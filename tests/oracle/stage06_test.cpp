@@ -10,6 +10,9 @@
 #include "tests/support/places.h"
 #include "tests/support/scratch.h"
 
+#include <array>
+#include <cmath>
+#include <functional>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -46,8 +49,7 @@ Agreement compare_textured(const GeometryCase& geometry, const fs::path& texture
   lighting.eye = eye_of(viewpoint);
   const Agreement agreement =
       compare_colors(witness, picture.color, [&](double x, double y, const Hit& hit) {
-        const Shade read =
-            sample(texture, filter, wrap, steps_at(witness, surface, x, y, hit.face));
+        const Shade read = sample(texture, filter, wrap, steps_at(witness, surface, x, y, hit));
         Shade shade = light_point(lighting, surface.position(hit), surface.normal(hit), read.color);
         shade.key.insert(shade.key.end(), read.key.begin(), read.key.end());
         shade.at_jump = read.at_jump;
@@ -120,7 +122,7 @@ void expect_textured_figure(const std::string& file, const Image<Rgb8>& figure,
   const DeepTexture texture(read_image<Rgb8>(texture_file));
   const Agreement agreement =
       compare_colors(witness, figure, [&](double x, double y, const Hit& hit) {
-        Shade shade = sample(texture, filter, "repeat", steps_at(witness, surface, x, y, hit.face));
+        Shade shade = sample(texture, filter, "repeat", steps_at(witness, surface, x, y, hit));
         if (!lighting) return shade;
         Shade lit = light_point(*lighting, surface.position(hit), surface.normal(hit), shade.color);
         lit.key.insert(lit.key.end(), shade.key.begin(), shade.key.end());
@@ -130,6 +132,49 @@ void expect_textured_figure(const std::string& file, const Image<Rgb8>& figure,
   std::cout << file << ": " << agreement;
   EXPECT_EQ(agreement.wrong, 0) << file << ": " << agreement;
   EXPECT_GT(agreement.drawn, 10000) << file;
+}
+
+/// For filters that look at no neighbours.
+Steps at_point(const Eigen::Vector2d& uv) {
+  return {uv, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+}
+
+/// The letter of 06.1, from the top.
+Image<Rgb8> letter() {
+  const std::array<std::string, 8> rows{"r.......", "..####..", "..#.....", "..###...",
+                                        "..#.....", "..#.....", "..#.....", ".......b"};
+  Image<Rgb8> image(8, 8);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const char pixel = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+      image(x, y) = pixel == '#'   ? Rgb8{40, 60, 90}
+                    : pixel == 'r' ? Rgb8{220, 40, 40}
+                    : pixel == 'b' ? Rgb8{40, 80, 220}
+                                   : Rgb8{255, 240, 200};
+    }
+  }
+  return image;
+}
+
+/// (u, v) goes from (−1, −1) at the bottom left to (2, 2).
+TEST(stage06_figures, a_letter_repeated_clamped_and_mirrored) {
+  const Figures figures("06_texture", "06.1");
+  const DeepTexture texture(letter());
+  for (const std::string wrap : {"repeat", "clamp", "mirror"}) {
+    const Image<Rgb8> figure = figures("06.1_" + wrap + ".png");
+    int wrong = 0;
+    for (int y = 0; y < figure.height(); ++y) {
+      for (int x = 0; x < figure.width(); ++x) {
+        const Steps steps =
+            at_point({3 * (x + 0.5) / figure.width() - 1, 2 - 3 * (y + 0.5) / figure.height()});
+        const Eigen::Vector3d color = 255 * sample(texture, "nearest", wrap, steps).color;
+        const Rgb8 stored = figure(x, y);
+        const Eigen::Vector3d actual(stored.r, stored.g, stored.b);
+        if ((actual - color).cwiseAbs().maxCoeff() > 0.5) ++wrong;
+      }
+    }
+    EXPECT_EQ(wrong, 0) << wrap << ", of " << figure.width() << "x" << figure.height();
+  }
 }
 
 TEST(stage06_figures, the_planet) {
@@ -148,12 +193,77 @@ TEST(stage06_figures, the_planet) {
                                   .eye = eye.homogeneous()});
 }
 
-TEST(stage06_figures, the_wall_after) {
-  expect_textured_figure("06.3_exact.png", Figures("06_texture", "06.3")("06.3_exact.png"),
-                         {.mesh = read_mesh(source_folder() / "data/wall.off"),
-                          .camera = {.view = look_at({-4.6, 0.3, 2.6}, {-1.6, 0, 0}, {0, 1, 0}),
-                                     .projection = perspective(45, 4.0 / 3, 0.1, 20)}},
-                         source_folder() / "data/brick.png", "bilinear", std::nullopt);
+/// Where on a face a rung of the perspective ladder has window point (x, y), and between which
+/// pixels of the row it mixes.
+struct PlaceOnWall {
+  Hit hit;
+  std::vector<long> key = {};
+};
+using PlaceByRung = std::function<PlaceOnWall(const RayCaster&, double x, double y, const Hit&)>;
+
+PlaceOnWall exactly(const RayCaster&, double, double, const Hit& hit) {
+  return {hit};
+}
+
+PlaceOnWall affinely(const RayCaster& witness, double x, double y, const Hit& hit) {
+  return {witness.affine_plane(x, y, hit.face)};
+}
+
+/// Exact at every `length`th of the pixels that the face covers in the row, and at the last of
+/// them.
+PlaceByRung in_runs_of(int length) {
+  return [length](const RayCaster& witness, double x, double y, const Hit& hit) -> PlaceOnWall {
+    const auto pixel = static_cast<int>(std::floor(x));
+    const double beside = x - pixel;
+    const auto covered = [&](int column) {
+      return column >= 0 && column < witness.width() &&
+             witness.covers(column + beside, y, hit.face);
+    };
+    int first = pixel;
+    while (covered(first - 1)) --first;
+    int last = pixel;
+    while (covered(last + 1)) ++last;
+    const int begin = pixel - (pixel - first) % length;
+    const int end = std::min(begin + length, last);
+    PlaceOnWall place{hit, {begin, end}};
+    if (end <= begin) return place;
+    const double part = static_cast<double>(pixel - begin) / (end - begin);
+    place.hit.weights = (1 - part) * witness.drawn_plane(begin + beside, y, hit.face).weights +
+                        part * witness.drawn_plane(end + beside, y, hit.face).weights;
+    return place;
+  };
+}
+
+TEST(stage06_figures, the_wall_by_every_rung) {
+  const Figures figures("06_texture", "06.3", {"--size", "200x150"});
+  const Mesh wall = read_mesh(source_folder() / "data/wall.off");
+  const Surface surface(wall);
+  const DeepTexture texture(read_image<Rgb8>(source_folder() / "data/brick.png"));
+  const RayCaster witness(wall,
+                          {.view = look_at({-4.6, 0.3, 2.6}, {-1.6, 0, 0}, {0, 1, 0}),
+                           .projection = perspective(45, 4.0 / 3, 0.1, 20)},
+                          200, 150);
+  const auto compare = [&](const Image<Rgb8>& figure, const PlaceByRung& place_by) {
+    return compare_colors(witness, figure, [&](double x, double y, const Hit& hit) {
+      const PlaceOnWall place = place_by(witness, x, y, hit);
+      Shade shade =
+          sample(texture, "bilinear", "repeat", at_point(surface.texture_coordinates(place.hit)));
+      shade.key = place.key;
+      return shade;
+    });
+  };
+  for (const auto& [rung, place_by] :
+       std::vector<std::pair<std::string, PlaceByRung>>{{"affine", affinely},
+                                                        {"runs_of_16", in_runs_of(16)},
+                                                        {"runs_of_8", in_runs_of(8)},
+                                                        {"exact", exactly}}) {
+    const Image<Rgb8> figure = figures("06.3_" + rung + ".png");
+    const Agreement agreement = compare(figure, place_by);
+    std::cout << rung << ": " << agreement;
+    EXPECT_EQ(agreement.wrong, 0) << rung << ": " << agreement;
+    EXPECT_GT(agreement.drawn, 10000) << rung;
+    EXPECT_EQ(compare(figure, exactly).wrong > 100, rung != "exact") << rung;
+  }
 }
 
 TEST(stage06_figures, the_floor_to_the_horizon) {

@@ -171,10 +171,11 @@ Shade sample(const DeepTexture& texture, const std::string& filter, const std::s
           at_jump};
 }
 
-Steps steps_at(const RayCaster& witness, const Surface& surface, double x, double y, int face) {
+Steps steps_at(const RayCaster& witness, const Surface& surface, double x, double y,
+               const Hit& hit) {
   constexpr double step = 1e-4;
   const auto uv = [&](double at_x, double at_y) {
-    return surface.texture_coordinates(witness.drawn_plane(at_x, at_y, face));
+    return surface.texture_coordinates(witness.drawn_plane(at_x, at_y, hit.face, hit.snapping));
   };
   return {uv(x, y), (uv(x + step, y) - uv(x - step, y)) / (2 * step),
           (uv(x, y + step) - uv(x, y - step)) / (2 * step)};

@@ -47,6 +47,7 @@ Shade sample(const DeepTexture& texture, const std::string& filter, const std::s
 
 /// Steps at a hit of window point (x, y): differences over a ten-thousandth of a pixel on the
 /// face's plane as it is drawn.
-Steps steps_at(const RayCaster& witness, const Surface& surface, double x, double y, int face);
+Steps steps_at(const RayCaster& witness, const Surface& surface, double x, double y,
+               const Hit& hit);
 
 }  // namespace rasterlab::oracle
