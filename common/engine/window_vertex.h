@@ -65,10 +65,12 @@ struct ClippedCorner {
   double depth, depth_w;  ///< reversed depth's numerator, and its denominator: w, rounded less
   double b1, b2;          ///< where in the triangle: weights of its corners 1 and 2
 
-  /// Of w at a cut single precision may leave nothing but rounding, which the numerator does not
-  /// share.
+  /// (w − z) / 2w. Of w at a cut single precision may leave little but rounding, which the
+  /// numerator does not share; the window position does, and the depth has to be that of this
+  /// position.
   float reversed_depth() const {
-    const double exact = depth / (depth_w != 0 ? depth_w : static_cast<double>(w));
+    const auto rounded_w = static_cast<double>(w);
+    const double exact = depth / rounded_w + 0.5 * (1 - depth_w / rounded_w);
     return static_cast<float>(std::clamp<double>(exact, -farthest_depth, farthest_depth));
   }
 };
