@@ -23,7 +23,7 @@ struct Entrance {
 
 std::vector<Entrance> entrances() {
   std::vector<Entrance> all;
-  const auto add = [&](const std::string& program, std::vector<std::string> arguments,
+  const auto add = [&](const std::string& program, const std::vector<std::string>& arguments,
                        const std::vector<std::string>& extensions) {
     if (!fs::exists(rasterlab::program(program))) return;
     for (const std::string& extension : extensions) all.push_back({program, arguments, extension});

@@ -155,7 +155,7 @@ std::string command_fault(const std::vector<std::string>& command) {
     if (!is_flag) continue;
     if (!offers(help, command[i])) return subcommand + " " + stage + " has no " + command[i];
     if (i + 1 < command.size()) {
-      const std::string fault = value_fault(stage, command[i], command[i + 1]);
+      std::string fault = value_fault(stage, command[i], command[i + 1]);
       if (!fault.empty()) return fault;
     }
   }

@@ -62,7 +62,7 @@ std::string binary(std::endian order) {
   append(bytes, std::int16_t{10}, order);  // holds the byte of a line feed
   for (int i = 0; i < 4; ++i) {
     append(bytes, double(i % 2), order);
-    append(bytes, double(i / 2), order);
+    append(bytes, i < 2 ? 0.0 : 1.0, order);
     append(bytes, 0.1, order);
     for (const std::uint16_t color : std::array<std::uint16_t, 3>{65535, 0, 13107})
       append(bytes, color, order);

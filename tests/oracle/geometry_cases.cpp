@@ -111,7 +111,7 @@ Agreement expect_geometry(const std::string& stage, const GeometryCase& geometry
   flags.insert(flags.end(), more_flags.begin(), more_flags.end());
   const Picture picture = take_picture(stage, mesh, width, height, flags);
   const RayCaster witness(read_mesh(mesh), viewpoint.camera(width, height), width, height, cull);
-  const Agreement agreement = compare_geometry(witness, picture);
+  Agreement agreement = compare_geometry(witness, picture);
   std::cout << mesh << ": " << agreement;
   EXPECT_EQ(agreement.wrong, 0) << agreement;
   return agreement;

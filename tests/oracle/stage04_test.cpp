@@ -180,7 +180,7 @@ Mesh checkered_floor() {
   Mesh floor;
   for (int square = 0; square < 16; ++square) {
     const float left = static_cast<float>(square % 4) / 2 - 1;
-    const float back = static_cast<float>(square / 4) / 2 - 1;
+    const float back = static_cast<float>(square - square % 4) / 8 - 1;
     const auto first = static_cast<std::uint32_t>(floor.positions.size());
     for (const auto& [x, z] : {std::pair{0.0F, 0.0F}, {0.0F, 0.5F}, {0.5F, 0.5F}, {0.5F, 0.0F}}) {
       floor.positions.emplace_back(left + x, 0, back + z);

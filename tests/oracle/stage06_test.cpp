@@ -47,7 +47,7 @@ Agreement compare_textured(const GeometryCase& geometry, const fs::path& texture
   const Surface surface(mesh);
   const DeepTexture texture(read_image<Rgb8>(texture_file));
   lighting.eye = eye_of(viewpoint);
-  const Agreement agreement =
+  Agreement agreement =
       compare_colors(witness, picture.color, [&](double x, double y, const Hit& hit) {
         const Shade read = sample(texture, filter, wrap, steps_at(witness, surface, x, y, hit));
         Shade shade = light_point(lighting, surface.position(hit), surface.normal(hit), read.color);

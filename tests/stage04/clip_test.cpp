@@ -266,7 +266,8 @@ TEST(stage04_clip_homogeneous, what_is_cut_covers_what_its_snapped_outline_winds
 // moves each cut by up to 2^-23 / w: farther than the guard band is wide, in the end.
 TEST(stage04_clip_homogeneous, all_corners_may_have_a_tiny_w_as_far_as_the_contract_says) {
   const float limit = 0x1p-22F / guard_band(24, 16).minCoeff();
-  for (float w = 1; w > limit; w /= 2) {
+  for (int halvings = 0; std::ldexp(1.0F, -halvings) > limit; ++halvings) {
+    const float w = std::ldexp(1.0F, -halvings);
     const ClipTriangle around = {Vector(-1, -1, 0, w), Vector(3, -1, 0, w), Vector(-1, 3, 0, w)};
     EXPECT_EQ(coverage({around}, 24, 16), Image<int>(24, 16, 1)) << "w = " << w;
   }

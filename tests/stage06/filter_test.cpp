@@ -152,7 +152,7 @@ TEST(stage06_sample_bilinear, at_the_border) {
 
 TEST(stage06_mip_level, follows_from_exact_derivatives) {
   const Texture texture(Image<Rgb8>(256, 64));
-  const auto level = [&](Vector2<float> dx, Vector2<float> dy) {
+  const auto level = [&](const Vector2<float>& dx, const Vector2<float>& dy) {
     return mip_level(texture, Footprint<float>{{0.3F, 0.3F}, dx, dy});
   };
   EXPECT_EQ(level({0, 0}, {0, 0}), 0) << "a constant (u, v)";
@@ -228,7 +228,7 @@ TEST(stage06_sample_anisotropic, the_ellipse_has_the_singular_values_of_the_deri
 TEST(stage06_sample_anisotropic, degenerate_footprints) {
   const Texture texture(noise(16, 16, 2));
   const Vector2<float> uv(0.3F, 0.7F);
-  const auto color = [&](Vector2<float> dx, Vector2<float> dy) {
+  const auto color = [&](const Vector2<float>& dx, const Vector2<float>& dy) {
     return sample_anisotropic(texture, Wrap::repeat, Footprint<float>{uv, dx, dy});
   };
   const auto point = sample_bilinear(texture, Wrap::repeat, Footprint<float>{uv, {0, 0}, {0, 0}});

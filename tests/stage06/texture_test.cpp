@@ -82,12 +82,11 @@ TEST(stage06_texture, levels_are_means_of_the_picture) {
     const Texture texture(image);
     for (int i = 0; i < texture.level_count(); ++i) {
       const auto level = texture.level(static_cast<float>(i));
-      for (float row = 0; row < level.height; ++row) {
-        for (float column = 0; column < level.width; ++column) {
-          const Quad mean =
-              mean_red(image, static_cast<int>(level.width), static_cast<int>(level.height),
-                       static_cast<int>(column), static_cast<int>(row));
-          EXPECT_EQ(texture.texel(level, column, row).x(),
+      for (int row = 0; row < static_cast<int>(level.height); ++row) {
+        for (int column = 0; column < static_cast<int>(level.width); ++column) {
+          const Quad mean = mean_red(image, static_cast<int>(level.width),
+                                     static_cast<int>(level.height), column, row);
+          EXPECT_EQ(texture.texel(level, static_cast<float>(column), static_cast<float>(row)).x(),
                     std::floor(static_cast<double>(mean) + 0.5))
               << "halves up";
         }
@@ -102,12 +101,14 @@ TEST(stage06_texture, levels_of_odd_sides_count_parts_of_texels) {
     const Image<Rgb8> image = noise(width, height, 2);
     const Texture texture(image);
     const auto level = texture.level(1.0F);
-    for (float row = 0; row < level.height; ++row) {
-      for (float column = 0; column < level.width; ++column) {
-        const Quad mean =
-            mean_red(image, static_cast<int>(level.width), static_cast<int>(level.height),
-                     static_cast<int>(column), static_cast<int>(row));
-        EXPECT_LE(difference(texture.texel(level, column, row).x(), mean), 0.5 + 1e-4)
+    for (int row = 0; row < static_cast<int>(level.height); ++row) {
+      for (int column = 0; column < static_cast<int>(level.width); ++column) {
+        const Quad mean = mean_red(image, static_cast<int>(level.width),
+                                   static_cast<int>(level.height), column, row);
+        EXPECT_LE(difference(
+                      texture.texel(level, static_cast<float>(column), static_cast<float>(row)).x(),
+                      mean),
+                  0.5 + 1e-4)
             << width << " x " << height << " at " << column << ", " << row;
       }
     }

@@ -305,8 +305,8 @@ void put_edge_on_samples(Random& random, Numbers& numbers) {
   for (std::size_t corner = 0; corner < 2; ++corner) {
     const double steps = random.number(-20, 20) * random.pick({1, 1, 1000});
     const double w = numbers[4 * corner + 3];
-    numbers[4 * corner] = w * ((column + steps * columns + 0.5) / (width / 2) - 1);
-    numbers[4 * corner + 1] = w * (1 - (row + steps * rows + 0.5) / (height / 2));
+    numbers[4 * corner] = w * (2 * (column + steps * columns + 0.5) / width - 1);
+    numbers[4 * corner + 1] = w * (1 - 2 * (row + steps * rows + 0.5) / height);
   }
 }
 

@@ -125,7 +125,7 @@ Image<std::int32_t> engine_ids(const std::vector<Triangle>& triangles) {
     const float depth = -1.0F + 1.9F * static_cast<float>(i) / static_cast<float>(triangles.size());
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const Eigen::Vector2f& p : triangles[i]) {
-      mesh.positions.emplace_back(p.x() / (side / 2) - 1, 1 - p.y() / (side / 2), depth);
+      mesh.positions.emplace_back(2 * p.x() / side - 1, 1 - 2 * p.y() / side, depth);
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
   }

@@ -325,8 +325,10 @@ Numbers powers(Random& random) {
 Mesh triangle_per_pixel() {
   Mesh mesh;
   for (std::uint32_t i = 0; i < powers_per_side * powers_per_side; ++i) {
-    const float left = static_cast<float>(i % powers_per_side) / (powers_per_side / 2) - 1;
-    const float top = 1 - static_cast<float>(i / powers_per_side) / (powers_per_side / 2);
+    const std::uint32_t column = i % powers_per_side;
+    const std::uint32_t row = i / powers_per_side;
+    const float left = 2 * static_cast<float>(column) / powers_per_side - 1;
+    const float top = 1 - 2 * static_cast<float>(row) / powers_per_side;
     constexpr float pixel = 2.0F / powers_per_side;
     mesh.positions.emplace_back(left, top, 0);
     mesh.positions.emplace_back(left + 1.5F * pixel, top, 0);

@@ -36,11 +36,13 @@ Result per_lane(Compute compute) {
   return result;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): templates' names stand in no parentheses.
 #define RASTERLAB_TOY_OPERATOR(op, Operand, Result)                                               \
   template <int Lanes>                                                                            \
   Result<Lanes> operator op(const Operand<Lanes>& a, const Operand<Lanes>& b) {                   \
     return per_lane<Result<Lanes>, Lanes>([&](std::size_t i) { return a.lane[i] op b.lane[i]; }); \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 RASTERLAB_TOY_OPERATOR(+, ToyLanes, ToyLanes)
 RASTERLAB_TOY_OPERATOR(-, ToyLanes, ToyLanes)
 RASTERLAB_TOY_OPERATOR(*, ToyLanes, ToyLanes)
