@@ -8,6 +8,7 @@
 #include "tests/oracle/shading.h"
 #include "tests/support/places.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -132,6 +133,18 @@ TEST(stage04_figures, the_cube_by_field_of_view) {
                .projection = perspective(60, 1, 0.1, 20)});
 }
 
+TEST(stage04_figures, the_bunny_by_field_of_view) {
+  Mesh bunny = read_mesh("/usr/share/glmark2/models/bunny.obj");
+  bunny.colors.clear();
+  const Camera camera{.model = moved(0, 0, 1.5),
+                      .view = moved(0, 0, -4),
+                      .projection = perspective(60, 1, 0.1, 20)};
+  expect_figure("04.4_bunny.png", Figures("04_projection", "04.4")("04.4_bunny.png"),
+                {.mesh = bunny, .camera = camera}, [&](const Surface& surface, const Hit& hit) {
+                  return shade_face(bunny, surface, camera, hit);
+                });
+}
+
 TEST(stage04_figures, the_cube_looked_at_and_looked_past) {
   const Figures figures("04_projection", "04.5");
   for (const auto& [file, center] : {std::pair{"04.5_look_at.png", Eigen::Vector3d(0, 0, 0)},
@@ -156,23 +169,61 @@ TEST(stage04_figures, the_scene_by_its_focal_length_in_pixels) {
                 &vertex_color);
 }
 
-TEST(stage04_figures, one_triangle) {
+TEST(stage04_figures, one_triangle_and_its_depth) {
+  const Figures figures("04_projection", "04.7");
   Mesh triangle;
   triangle.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
   triangle.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   triangle.triangles = {{0, 1, 2}};
-  expect_figure("04.7_triangle.png", Figures("04_projection", "04.7")("04.7_triangle.png"),
-                {.mesh = triangle,
-                 .camera = {.model = turned(50, {0, 1, 0}),
-                            .view = moved(0, 0, -3),
-                            .projection = perspective(60, 1, 0.1, 20)}},
-                &vertex_color);
+  const Camera camera{.model = turned(50, {0, 1, 0}),
+                      .view = moved(0, 0, -3),
+                      .projection = perspective(60, 1, 0.1, 20)};
+  expect_figure("04.7_triangle.png", figures("04.7_triangle.png"),
+                {.mesh = triangle, .camera = camera}, &vertex_color);
+
+  // The nearest that is seen is white; black is a quarter of the range behind the farthest.
+  const Image<Rgb8> picture = figures("04.7_depth.png");
+  const RayCaster witness(triangle, camera, picture.width(), picture.height());
+  Eigen::AlignedBox1d range;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      if (witness.cast(x + 0.5, y + 0.5).face < 0) continue;
+      range.extend(Eigen::Matrix<double, 1, 1>(witness.plane_depth(x + 0.5, y + 0.5, 0)));
+    }
+  }
+  const double nearest = range.min()[0];
+  const double black = range.max()[0] + 0.25 * (range.max()[0] - nearest);
+  const Agreement agreement = compare_colors(witness, picture, [&](double x, double y, const Hit&) {
+    const double grey = (black - witness.plane_depth(x, y, 0)) / (black - nearest);
+    return Shade{Eigen::Vector3d::Constant(grey)};
+  });
+  std::cout << "04.7_depth.png: " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << agreement;
 }
 
 TEST(stage04_figures, the_cube_with_depth) {
   expect_cube(Figures("04_projection", "04.8"), "04.8_with_depth.png",
               {.view = look_at({2.6, 1.8, 3.6}, {0, 0, 0}, {0, 1, 0}),
                .projection = perspective(45, 1, 0.1, 20)});
+}
+
+TEST(stage04_figures, the_cube_without_depth_shows_the_last_face) {
+  const Image<Rgb8> picture = Figures("04_projection", "04.8")("04.8_without_depth.png");
+  const Mesh cube = make_shape("cube");
+  const Surface surface(cube);
+  const RayCaster witness(cube,
+                          {.view = look_at({2.6, 1.8, 3.6}, {0, 0, 0}, {0, 1, 0}),
+                           .projection = perspective(45, 1, 0.1, 20)},
+                          picture.width(), picture.height());
+  const Agreement agreement = compare_colors(witness, picture, [&](double x, double y, const Hit&) {
+    int last = -1;
+    for (const Hit& hit : witness.cast_through(x, y)) last = std::max(last, hit.face);
+    if (last < 0) return Shade{.color = Eigen::Vector3d::Zero(), .key = {last}};
+    return Shade{.color = surface.color(witness.drawn_plane(x, y, last)), .key = {last}};
+  });
+  std::cout << "04.8_without_depth.png: " << agreement;
+  EXPECT_EQ(agreement.wrong, 0) << agreement;
+  EXPECT_GT(agreement.drawn, 10000);
 }
 
 /// Four times four squares in two colours, in the plane y = 0.
@@ -193,12 +244,35 @@ Mesh checkered_floor() {
   return floor;
 }
 
+/// Of the rungs, the first loses the triangles with a corner behind the near plane; the second
+/// loses pieces that reach too far beyond the picture, and is right elsewhere; the last loses
+/// nothing.
 TEST(stage04_figures, a_floor_that_reaches_behind_the_eye) {
-  expect_figure("04.9_homogeneous.png", Figures("04_projection", "04.9")("04.9_homogeneous.png"),
-                {.mesh = checkered_floor(),
-                 .camera = {.view = look_at({0.1, 0.1, 0.35}, {0.13, 0, 0.1}, {0, 1, 0}),
-                            .projection = perspective(80, 1.5, 0.0005, 20)}},
+  const Figures figures("04_projection", "04.9");
+  const Camera camera{.view = look_at({0.1, 0.1, 0.35}, {0.13, 0, 0.1}, {0, 1, 0}),
+                      .projection = perspective(80, 1.5, 0.0005, 20)};
+  const Mesh floor = checkered_floor();
+  Mesh in_front = floor;
+  std::erase_if(in_front.triangles, [&](const Mesh::Triangle& triangle) {
+    return std::ranges::any_of(triangle, [&](std::uint32_t vertex) {
+      const Eigen::Vector4d clip =
+          camera.to_clip() * floor.positions[vertex].cast<double>().homogeneous();
+      return clip.z() < -clip.w();
+    });
+  });
+  expect_figure("04.9_drop.png", figures("04.9_drop.png"), {.mesh = in_front, .camera = camera},
                 &vertex_color);
+  const Image<Rgb8> whole = figures("04.9_homogeneous.png");
+  expect_figure("04.9_homogeneous.png", whole, {.mesh = floor, .camera = camera}, &vertex_color);
+  Image<Rgb8> near = figures("04.9_near.png");
+  int lost = 0;
+  for (std::size_t i = 0; i < near.pixels().size(); ++i) {
+    if (near.pixels()[i] != Rgb8{0, 0, 0} || whole.pixels()[i] == Rgb8{0, 0, 0}) continue;
+    near.pixels()[i] = whole.pixels()[i];
+    ++lost;
+  }
+  EXPECT_GT(lost, 10000);
+  expect_figure("04.9_near.png", near, {.mesh = floor, .camera = camera}, &vertex_color);
 }
 
 }  // namespace
