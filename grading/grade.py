@@ -137,14 +137,14 @@ def submission_digest(submission: Submission, kit: Kit) -> str:
     return digest.hexdigest()
 
 
-def name_submissions(paths: list[pathlib.Path]) -> list[tuple[pathlib.Path, str]]:
-    """Every submission with a name of its own, in the order of the names."""
+def name_submissions(paths: list[pathlib.Path], given: str | None = None) -> list[tuple[pathlib.Path, str]]:
+    """Every submission with a name of its own, in the order of the names, or with the name that is given."""
     named: list[tuple[pathlib.Path, str]] = []
     taken: set[str] = set()
     for path in sorted(set(paths)):
         if not path.exists() and not path.is_symlink():
             raise UsageError(f"{path}: no such submission")
-        name = base = intake.submission_name(path)
+        name = base = given or intake.submission_name(path)
         count = 2
         while name in taken:
             name, count = f"{base}_{count}", count + 1
@@ -177,11 +177,12 @@ def parse_shard(text: str) -> tuple[int, int]:
 
 
 def write_jobs(out: pathlib.Path, named: list[tuple[pathlib.Path, str]], options: argparse.Namespace) -> None:
-    """jobs.tsv: a line per submission with the command that grades it alone, for GNU parallel or a cluster."""
+    """jobs.tsv: a line per submission with the command that grades it alone, for GNU parallel or a cluster. What is
+    of the whole class the command without --name makes, once they are done."""
     lines = []
     for path, name in named:
         command = ["./lab", "grade", "--kit", options.kit, "--out", str(out), "--jobs", "1", "--secret",
-                   options.secret, "--only", name, *(str(p) for p, _ in named)]
+                   options.secret, "--name", name, str(path)]
         lines.append(f"{name}\t{path}\t{shlex.join(command)}\n")
     record.write_text(out / "jobs.tsv", "".join(lines))
 
@@ -194,25 +195,19 @@ def options_of(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--out", required=True, type=pathlib.Path, metavar="DIR", help="folder for the report")
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many jails at once (default 2)")
     parser.add_argument("--shard", metavar="I/N", help="grade only the I-th of N parts of the submissions")
-    parser.add_argument("--only", metavar="NAME", help="grade only this submission, as named in jobs.tsv")
+    parser.add_argument("--list", action="store_true", help="grade nothing: write jobs.tsv, a command per submission")
+    parser.add_argument("--name", help="what the only submission given is called, as in jobs.tsv; leaves the class's files alone")
     parser.add_argument("--secret", default="rasterlab", metavar="TEXT",
                         help="what the hidden scenes are made from; keep it to yourself, and the same for a class")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
     options = parser.parse_args(arguments)
     if options.jobs < 1:
         raise UsageError(f"--jobs {options.jobs}: expected at least 1")
+    if options.name and (len(options.submissions) != 1 or options.shard):
+        raise UsageError(f"--name {options.name}: expected one submission, and no --shard")
+    if options.name and intake.safe_name(options.name) != options.name:
+        raise UsageError(f"--name {options.name}: expected letters, digits and -_.@+ with no dot in front")
     return options
-
-
-def _chosen(named: list[tuple[pathlib.Path, str]], options: argparse.Namespace) -> list[tuple[pathlib.Path, str]]:
-    if options.shard:
-        index, count = parse_shard(options.shard)
-        named = named[index - 1:: count]
-    if options.only:
-        named = [entry for entry in named if entry[1] == options.only]
-        if not named:
-            raise UsageError(f"--only {options.only}: no submission has this name")
-    return named
 
 
 def _progress(options: argparse.Namespace, done: int, total: int, text: str, end: bool) -> None:
@@ -223,10 +218,15 @@ def _progress(options: argparse.Namespace, done: int, total: int, text: str, end
 def main(arguments: list[str]) -> int:
     options = options_of(arguments)
     kit = Kit(manifest.find_stages(options.kit), options.secret)
-    named = name_submissions(options.submissions)
-    chosen = _chosen(named, options)
-    if not options.only:
+    named = name_submissions(options.submissions, options.name)
+    chosen = named
+    if options.shard:
+        index, count = parse_shard(options.shard)
+        chosen = named[index - 1:: count]
+    if not options.name:
         write_jobs(options.out, named, options)
+    if options.list:
+        return 0
     grader = Grader(kit, options.out, options.jobs)
     _progress(options, 0, len(chosen), "building the reference and the known mistakes", False)
     grader.prepare()
@@ -239,7 +239,8 @@ def main(arguments: list[str]) -> int:
         if not options.quiet:
             points = f"{graded.score:g} of {graded.max_score:g}" if graded.score is not None else "grader error"
             print(f"{name}\t{points}{'' if now else chr(9) + 'unchanged'}", flush=True)
-    _publish(options.out, grader, named)
+    if not options.name:
+        _publish(options.out, grader, named)
     _progress(options, len(chosen), len(chosen), "graded", True)
     if failed:
         raise GradingError(f"{failed} submissions are not fully graded; see {options.out / 'index.html'}")

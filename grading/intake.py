@@ -45,6 +45,11 @@ def submission_name(path: pathlib.Path) -> str:
     for ending in (".tar.gz", ".tgz", ".tar.xz", ".tar.bz2", ".tar", ".zip"):
         if name.lower().endswith(ending):
             name = name[: -len(ending)]
+    return safe_name(name)
+
+
+def safe_name(name: str) -> str:
+    """A name that stands for no other folder and needs no quotes."""
     return "".join(c if c.isalnum() or c in "-_.@+" else "_" for c in name).lstrip(".") or "submission"
 
 

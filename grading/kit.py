@@ -30,6 +30,9 @@ PROBE_SOURCES = ("grading/probes/probe.cpp", "grading/judge/records.cpp")
 # Parts of common that no exercise, probe or judge calls.
 NOT_NEEDED = ("common/engine/", "common/viewer/")
 
+# Files of this tool that no grade depends on: what is published of records, and the other commands.
+NO_GRADE = ("exports/", "archive.py", "bless.py", "handout.py", "markers.py", "selftest.py")
+
 # Templates' bodies stand in .inl files.
 HEADERS = (".h", ".inl")
 
@@ -284,9 +287,15 @@ class Kit:
             parts.append(self._program_digest(self.reference(stage)))
             parts.append((ROOT / stage / "exercises.json").read_text())
         parts.append(self._program_digest(self.judge))
-        for path in sorted([*(ROOT / "grading").rglob("*.py"), *(ROOT / "grading/mutants").glob("*.toml")]):
-            parts.append(path.read_text())
+        parts += [path.read_text() for path in tool_files()]
         return hashlib.sha256("\0".join(parts).encode()).hexdigest()
+
+
+def tool_files() -> list[pathlib.Path]:
+    """The files of this tool that a grade, or what is said of it, depends on."""
+    folder = ROOT / "grading"
+    return [path for path in sorted([*folder.rglob("*.py"), *(folder / "mutants").glob("*.toml")])
+            if not path.relative_to(folder).as_posix().startswith(NO_GRADE)]
 
 
 def is_header(name: str) -> bool:

@@ -3,6 +3,10 @@
 from grading.record import Json
 
 
+# Characters of what the compiler says: PrairieLearn takes a file of 1 MB.
+COMPILER = 8000
+
+
 def explanation(entry: Json) -> str:
     """What a student reads of an exercise, as plain text."""
     lines = [entry["message"]] if entry["message"] else []
@@ -11,7 +15,7 @@ def explanation(entry: Json) -> str:
     if entry["verdict"] not in ("right", "by hand"):
         lines.append(f"Read {entry['section']}, and {entry['contract']}.")
     if entry["compiler"]:
-        lines.append(entry["compiler"])
+        lines.append(entry["compiler"][:COMPILER])
     return "\n".join(lines)
 
 

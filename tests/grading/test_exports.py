@@ -74,6 +74,12 @@ def test_prairielearn_score_is_a_share() -> None:
     assert json.loads(prairielearn.export(record(entry("01.5", "wrong", 1.5))))["score"] == 0.5
 
 
+def test_prairielearn_takes_the_file_whatever_a_compiler_says() -> None:
+    said = "\x1b" * 20000  # what JSON needs most room for
+    entries = [entry(f"01.{i}", "compile error", 0.0, compiler=said) for i in range(15)]
+    assert len(prairielearn.export(record(*entries)).encode()) < 10**6
+
+
 def test_junit_is_well_formed() -> None:
     root = ET.fromstring(junit.export([record(entry("01.5", "wrong", 1.0), entry("01.6", "grader error", None))]))
     suite = root[0]

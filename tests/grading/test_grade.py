@@ -2,6 +2,9 @@
 
 import os
 import pathlib
+import shlex
+import subprocess
+import sys
 import threading
 import time
 import types
@@ -9,7 +12,8 @@ from typing import Any
 
 import pytest
 
-from grading import grade, jail, manifest, record
+from grading import grade, jail, kit, manifest, record
+from grading.errors import UsageError
 from grading.evaluate import Outcome, Verdict
 from grading.grade import Grader
 from grading.manifest import ROOT, Exercise
@@ -150,6 +154,38 @@ def test_an_interrupt_waits_for_what_has_begun(tmp_path: pathlib.Path, monkeypat
     with pytest.raises(KeyboardInterrupt):
         grader.run_all(work, [0, 1])
     assert ended == [1]
+
+
+def test_jobs_grade_each_alone_and_the_command_collects(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    term = Term(monkeypatch, tmp_path)
+    term.grade("whole")
+    assert term.grade("jobs", "--list") == []
+    for line in (tmp_path / "jobs/jobs.tsv").read_text().splitlines():
+        name, path, command = line.split("\t")
+        assert len(command) < 200 + 2 * len(str(tmp_path))  # however large the class
+        term.evaluated = []
+        assert grade.main([*shlex.split(command)[2:], "-q"]) == 0
+        assert term.evaluated == [name] == [pathlib.Path(path).name]
+    assert not (tmp_path / "jobs/index.html").exists()
+    assert term.grade("jobs") == []
+    assert term.report("jobs") == term.report("whole")
+
+
+@pytest.mark.parametrize("options", [["--name", "anna", "x", "y"], ["--name", "anna", "x", "--shard", "1/2"],
+                                     ["--name", "../anna", "x"]])
+def test_name_of_a_job_is_that_of_one_submission(options: list[str]) -> None:
+    with pytest.raises(UsageError, match="expected"):
+        grade.main(["--kit", "01", "--out", "report", *options])
+
+
+def test_digest_holds_all_that_grades_and_nothing_that_publishes() -> None:
+    script = "import sys, grading.record, grading.catalogue, grading.intake; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=True)
+    grades = {ROOT / (name.replace(".", "/") + ".py") for name in done.stdout.split() if name.startswith("grading.")}
+    files = set(kit.tool_files())
+    assert len(grades) > 8 and grades <= files and ROOT / "grading/grade.py" in files
+    assert ROOT / "grading/mutants/stage02.toml" in files
+    assert not [path for path in files if path.parent.name == "exports" or path.name == "selftest.py"]
 
 
 @pytest.mark.skipif("RASTERLAB_LONG_TESTS" not in os.environ, reason="builds the reference: set RASTERLAB_LONG_TESTS=1")
