@@ -156,17 +156,20 @@ TEST(stage04_figures, the_cube_looked_at_and_looked_past) {
   }
 }
 
-TEST(stage04_figures, the_scene_by_its_focal_length_in_pixels) {
-  const Scene scene = read_scene(source_folder() / "data/cube.scene");
+/// A scene's, whose y goes down.
+Camera camera_of(const Scene& scene) {
   const double half_height = scene.height / 2.0;
   const double fovy = 360 / std::numbers::pi * std::atan(half_height / scene.focal_length);
   const double aspect = static_cast<double>(scene.width) / scene.height;
+  return {.view = look_at(scene.eye.cast<double>(), scene.look_at.cast<double>(),
+                          -scene.up.cast<double>()),
+          .projection = perspective(fovy, aspect, 0.1, 100)};
+}
+
+TEST(stage04_figures, the_scene_by_its_focal_length_in_pixels) {
+  const Scene scene = read_scene(source_folder() / "data/cube.scene");
   expect_figure("04.6_scene.png", Figures("04_projection", "04.6")("04.6_scene.png"),
-                {.mesh = read_mesh(scene.mesh),
-                 .camera = {.view = look_at(scene.eye.cast<double>(), scene.look_at.cast<double>(),
-                                            -scene.up.cast<double>()),
-                            .projection = perspective(fovy, aspect, 0.1, 100)}},
-                &vertex_color);
+                {.mesh = read_mesh(scene.mesh), .camera = camera_of(scene)}, &vertex_color);
 }
 
 TEST(stage04_figures, one_triangle_and_its_depth) {
@@ -273,6 +276,116 @@ TEST(stage04_figures, a_floor_that_reaches_behind_the_eye) {
   }
   EXPECT_GT(lost, 10000);
   expect_figure("04.9_near.png", near, {.mesh = floor, .camera = camera}, &vertex_color);
+}
+
+// --- Figures of lines, which a ray would miss ---
+
+struct Segment {
+  Eigen::Vector2d a;
+  Eigen::Vector2d b;
+
+  double distance(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d along = b - a;
+    const double t = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (point - (a + t * along)).norm();
+  }
+};
+
+/// Where the camera sees a point, in pixels.
+Eigen::Vector2d in_window(const Camera& camera, const Eigen::Vector3d& point,
+                          const Image<Rgb8>& picture) {
+  const Eigen::Vector3d ndc = (camera.to_clip() * point.homogeneous()).hnormalized();
+  return {(ndc.x() + 1) * picture.width() / 2, (1 - ndc.y()) * picture.height() / 2};
+}
+
+std::vector<Segment> edges_of(const Mesh& mesh, const Camera& camera, const Image<Rgb8>& picture) {
+  std::vector<Segment> edges;
+  for (const Mesh::Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto end = [&](std::size_t corner) {
+        const Eigen::Vector3d at = mesh.positions[triangle[corner % 3]].cast<double>();
+        return in_window(camera, at, picture);
+      };
+      edges.push_back({end(i), end(i + 1)});
+    }
+  }
+  return edges;
+}
+
+/// Half a pixel across, and each coordinate of an end is rounded by half a pixel.
+constexpr double off_a_line = 0.5 + 0.7072;
+
+/// Pixels for which `is_line(x, y)` lie on segments, and each segment has such a pixel all along.
+template <class IsLine>
+void expect_lines(const Image<Rgb8>& picture, const std::vector<Segment>& segments,
+                  const IsLine& is_line) {
+  std::vector<Eigen::Vector2d> pixels;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      if (!is_line(x, y)) continue;
+      pixels.emplace_back(x + 0.5, y + 0.5);
+      const bool on_line = std::ranges::any_of(segments, [&](const Segment& segment) {
+        return segment.distance(pixels.back()) <= off_a_line;
+      });
+      EXPECT_TRUE(on_line) << "pixel (" << x << ", " << y << ") is of no line";
+    }
+  }
+  EXPECT_GT(pixels.size(), 100U);
+  for (const auto& [a, b] : segments) {
+    for (const double t : {0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0}) {
+      const Eigen::Vector2d point = a + t * (b - a);
+      const bool drawn = std::ranges::any_of(
+          pixels, [&](const auto& pixel) { return (pixel - point).norm() <= off_a_line + 0.5; });
+      EXPECT_TRUE(drawn) << "no line at " << point.transpose();
+    }
+  }
+}
+
+TEST(stage04_figures, wires_of_the_cube) {
+  const Image<Rgb8> picture = Figures("04_projection", "04.8")("04.8_wireframe.png");
+  const Camera camera{.view = look_at({2.6, 1.8, 3.6}, {0, 0, 0}, {0, 1, 0}),
+                      .projection = perspective(45, 1, 0.1, 20)};
+  expect_lines(picture, edges_of(make_shape("cube"), camera, picture), [&](int x, int y) {
+    return picture(x, y) != Rgb8{0, 0, 0};
+  });
+}
+
+TEST(stage04_figures, wires_over_the_scene_through_a_pinhole) {
+  const Figures figures("04_projection", "04.6");
+  const Image<Rgb8> picture = figures("04.6_pinhole.png");
+  const Image<Rgb8> filled = figures("04.6_scene.png");
+  const Scene scene = read_scene(source_folder() / "data/cube.scene");
+  expect_lines(picture, edges_of(read_mesh(scene.mesh), camera_of(scene), picture),
+               [&](int x, int y) { return picture(x, y) != filled(x, y); });
+}
+
+TEST(stage04_figures, normals_of_a_flattened_ball) {
+  Image<Rgb8> picture = Figures("04_projection", "04.10")("04.10_normals.png");
+  Mesh ball = make_shape("uv_sphere:12");
+  const Camera camera{.model = turned(30, {0, 0, 1}) * scaled(1, 0.35, 1),
+                      .projection = orthographic(3.2, 1, -2, 2)};
+  const Eigen::Matrix3d as_points = camera.model.topLeftCorner<3, 3>();
+  const Eigen::Matrix3d as_normals = as_points.inverse().transpose();
+  std::vector<Segment> red;
+  std::vector<Segment> green;
+  for (std::size_t i = 0; i < ball.positions.size(); ++i) {
+    if (std::abs(ball.positions[i].z()) > 1e-3F) continue;
+    const Eigen::Vector3d foot = as_points * ball.positions[i].cast<double>();
+    const auto line_along = [&](const Eigen::Vector3d& way) -> Segment {
+      const Camera of_world{.projection = camera.projection};
+      return {in_window(of_world, foot, picture),
+              in_window(of_world, foot + 0.45 * way.normalized(), picture)};
+    };
+    red.push_back(line_along(as_points * ball.normals[i].cast<double>()));
+    green.push_back(line_along(as_normals * ball.normals[i].cast<double>()));
+  }
+  const auto is = [&](int x, int y, const Rgb8& color) { return picture(x, y) == color; };
+  expect_lines(picture, green, [&](int x, int y) { return is(x, y, {64, 255, 64}); });
+  std::vector<Segment> both = red;  // green lines cross red ones
+  both.insert(both.end(), green.begin(), green.end());
+  expect_lines(picture, both, [&](int x, int y) {
+    return is(x, y, {64, 255, 64}) || is(x, y, {255, 64, 64});
+  });
 }
 
 }  // namespace
