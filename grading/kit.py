@@ -138,15 +138,15 @@ class Kit:
         """The headers that every file of the library is compiled with, so that what compiles in a starter does
         here, and quickly."""
         text = (BUILD / "common/CMakeFiles/common.dir/cmake_pch.hxx").read_text()
-        key = hashlib.sha256(f"{text}{self.compile_flags}{sys.version}".encode()).hexdigest()
+        # By its name alone: where this tree is, is not for a student to read in what the compiler says.
+        command = ["c++", *self.compile_flags, "-x", "c++-header", "headers.hxx", "-o", "headers.hxx.gch"]
+        key = hashlib.sha256(f"{text}{command}{sys.version}".encode()).hexdigest()
         folder = self.folder / "precompiled"
         if (folder / "key").exists() and (folder / "key").read_text() == key:
             return
         folder.mkdir(exist_ok=True)
         (folder / "headers.hxx").write_text(text)
-        # By its name alone: where this tree is, is not for a student to read in what the compiler says.
-        run_tool(["c++", *self.compile_flags, "-x", "c++-header", "headers.hxx", "-o", "headers.hxx.gch"],
-                 "precompiling headers", folder)
+        run_tool(command, "precompiling headers", folder)
         (folder / "key").write_text(key)
 
     def _make_archives(self) -> None:

@@ -44,10 +44,11 @@ def test_mistakes_quote_the_contract_they_break(stage: str) -> None:
 
 
 @pytest.mark.parametrize("stage", STAGES)
-def test_every_stage_has_three_right_answers_written_differently(stage: str) -> None:
-    files = {exercise.file for exercise in manifest.exercises(stage)}
-    ways = {path.relative_to(selftest.RIGHT).parts[0] for file in files for path in selftest.RIGHT.glob(f"*/{file}")}
-    assert len(ways) >= 3
+def test_every_exercise_has_three_right_answers_written_differently(stage: str) -> None:
+    for exercise in manifest.exercises(stage):
+        answers = [path.read_text().partition("namespace rasterlab")[2] for path in selftest.RIGHT.glob(f"*/{exercise.file}")]
+        own = (ROOT / exercise.file).read_text().partition("namespace rasterlab")[2]
+        assert exercise.grading.by_hand or len({"".join(text.split()) for text in [own, *answers]}) >= 4, exercise.id
 
 
 def test_names_are_unique() -> None:

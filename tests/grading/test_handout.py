@@ -39,6 +39,14 @@ def test_sources_include_only_what_is_handed_out(stage: str) -> None:
         seen.update(found)
 
 
+@pytest.mark.parametrize("stage", STAGES)
+def test_documents_name_no_command_that_is_not_handed_out(stage: str) -> None:
+    for name, content in handout.make_starter([stage]).files.items():
+        if name.endswith(".md"):
+            commands = re.findall(r"\./lab (handout|grade|bless|selftest|stage 0\d)", content.decode())
+            assert all(command.startswith("stage") and command[6:] <= stage[:2] for command in commands), name
+
+
 def test_a_leak_is_found() -> None:
     starter = handout.make_starter([STAGES[0]])
     line = "  const int direction = to.y() < from.y() ? -1 : 1;"
