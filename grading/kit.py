@@ -103,8 +103,10 @@ class Kit:
         if program.exists() and program.stat().st_mtime >= max(p.stat().st_mtime for p in [*objects, *archives]):
             return
         program.parent.mkdir(exist_ok=True)
-        run_tool(["c++", "-o", str(program), *map(str, objects), "-Wl,--start-group", *map(str, archives),
+        unfinished = program.with_suffix(".new")  # where a linker was killed, half a program would look up to date
+        run_tool(["c++", "-o", str(unfinished), *map(str, objects), "-Wl,--start-group", *map(str, archives),
                   "-Wl,--end-group", *self.libraries], f"linking {program.name}")
+        unfinished.rename(program)
 
     @property
     def judge(self) -> pathlib.Path:
@@ -164,8 +166,10 @@ class Kit:
         objects = [object_path(source) for source in sources]
         if path.exists() and path.stat().st_mtime >= max(o.stat().st_mtime for o in objects):
             return
-        path.unlink(missing_ok=True)
-        run_tool(["ar", "qcs", str(path), *map(str, objects)], "archiving the reference")
+        unfinished = path.with_suffix(".new")
+        unfinished.unlink(missing_ok=True)
+        run_tool(["ar", "qcs", str(unfinished), *map(str, objects)], "archiving the reference")
+        unfinished.rename(path)
 
     # --- what there is --------------------------------------------------------------------------
 
