@@ -14,7 +14,6 @@ import shutil
 import subprocess
 import sys
 import tarfile
-import tempfile
 import time
 import tomllib
 import zipfile
@@ -51,13 +50,12 @@ class Report:
 
 
 class SelfTest:
-    def __init__(self, kit: Kit, jobs: int, say: Callable[[str], None]) -> None:
+    def __init__(self, kit: Kit, folder: pathlib.Path, jobs: int, say: Callable[[str], None]) -> None:
         self.kit = kit
+        self.folder = folder
         self.say = say
         self.report = Report()
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="rasterlab-selftest-"))
-        self.folder.chmod(0o711)
-        self.grader = Grader(kit, self.folder, jobs)
+        self.grader = Grader(kit, folder, jobs)
         self._seen: dict[tuple[str, bytes], tuple[Outcome, Explanation | None]] = {}
 
     # --- answers ----------------------------------------------------------------------------------
@@ -191,7 +189,6 @@ class SelfTest:
             begun = time.monotonic()
             steps[part]()
             self.say(f"{part}: {time.monotonic() - begun:.0f} s")
-        shutil.rmtree(self.folder, ignore_errors=True)
         return self.report
 
 
@@ -303,9 +300,10 @@ def main(arguments: list[str]) -> int:
     stages = manifest.find_stages(options.kit) if options.kit else graded_stages()
     if missing := [stage for stage in stages if stage not in graded_stages()]:
         raise UsageError(f"--kit {options.kit}: {missing[0]} is not graded by a machine")
-    test = SelfTest(Kit(stages, "rasterlab"), options.jobs,
-                    lambda text: print(text, file=sys.stderr, flush=True) if sys.stderr.isatty() else None)
-    report = test.run(options.part or list(PARTS))
+    with jail.scratch_folder() as folder:
+        test = SelfTest(Kit(stages, "rasterlab"), pathlib.Path(folder), options.jobs,
+                        lambda text: print(text, file=sys.stderr, flush=True) if sys.stderr.isatty() else None)
+        report = test.run(options.part or list(PARTS))
     for fault in report.faults:
         print(fault)
     for limit in test.grader.unenforced:
