@@ -1,6 +1,7 @@
 """python3 -m grading COMMAND: what `./lab handout`, `grade`, `bless` and `selftest` run."""
 
 import importlib
+import signal
 import sys
 
 from grading.errors import GradingError, UsageError
@@ -13,6 +14,8 @@ def main(arguments: list[str]) -> int:
         print(f"usage: python3 -m grading {{{','.join(COMMANDS)}}} …", file=sys.stderr)
         return 2
     command = arguments[0]
+    # A cluster that takes a machine back asks with SIGTERM: nothing is to be left behind then either.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         module = importlib.import_module(f"grading.{command}")
         return int(module.main(arguments[1:]))

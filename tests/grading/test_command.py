@@ -1,6 +1,7 @@
 """The command lines."""
 
 import pathlib
+import signal
 
 import pytest
 
@@ -37,6 +38,16 @@ def test_unknown_stage_exits_with_2(capsys: pytest.CaptureFixture[str]) -> None:
 def test_missing_submission_exits_with_2(tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert __main__.main(["grade", "--kit", "01", "--out", str(tmp_path), str(tmp_path / "nobody")]) == 2
     assert "no such submission" in capsys.readouterr().err
+
+
+def test_a_request_to_end_is_an_interrupt(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    handler = signal.getsignal(signal.SIGTERM)
+    monkeypatch.setattr(grade, "main", lambda _: signal.raise_signal(signal.SIGTERM))
+    try:
+        assert __main__.main(["grade"]) == 130
+    finally:
+        signal.signal(signal.SIGTERM, handler)
+    assert "interrupted" in capsys.readouterr().err
 
 
 def test_record_of_another_version_is_not_read(tmp_path: pathlib.Path) -> None:
