@@ -3,6 +3,7 @@
 #include "common/triangles/fill_faults.h"
 #include "common/triangles/fill_ladder.h"
 #include "common/triangles/fill_spans.h"
+#include "common/triangles/fill_triangle_list.h"
 #include "common/triangles/spans.h"
 
 #include "bench/support/memory_limit.h"
@@ -63,10 +64,8 @@ TimedLadder fill_ladder_on(std::size_t index) {
   return ladder;
 }
 
-/// Triangles of one area and any shape that is not too thin, anywhere inside the image; many, lest
-/// the processor learn the way of each by heart.
-std::vector<Corners> triangles_inside(double area, const Image<Rgb8>& image) {
-  constexpr std::size_t count = 4096;
+/// Triangles of one area and any shape that is not too thin, anywhere inside the image.
+std::vector<Corners> triangles_inside(std::size_t count, double area, const Image<Rgb8>& image) {
   std::mt19937 random(1);
   std::vector<Corners> triangles;
   while (triangles.size() < count) {
@@ -105,22 +104,38 @@ double difference(const Image<Rgb8>& drawn, const std::vector<Corners>& triangle
   return 1e6 * different / covered;
 }
 
-/// The quick fill and OpenCV's into one picture, and what the picture's memory alone takes.
-TimedLadder race(int area) {
+Errors judged(Image<Rgb8>& image, const std::vector<Corners>& triangles,
+              const std::function<void()>& draw) {
+  image.clear({});
+  draw();
+  return {{"different pixels per million", difference(image, triangles)}};
+}
+
+TimedRung peer_rung(Image<Rgb8>& image, const std::vector<Corners>& triangles) {
+  const std::function<void()> peer = opencv_triangles(image, triangles, color);
+  return {.name = "cv::fillConvexPoly",
+          .fault = "draws its boundary too: up to a pixel too large",
+          .work = peer,
+          .errors = judged(image, triangles, peer),
+          .role = Role::peer};
+}
+
+TimedRung quick_rung(const std::string& name, Image<Rgb8>& image,
+                     const std::vector<Corners>& triangles, const std::function<void()>& draw) {
+  return {.name = name, .fault = "none", .work = draw, .errors = judged(image, triangles, draw)};
+}
+
+/// The quick fill and OpenCV's into one picture, one call a triangle, and what the picture's memory
+/// alone takes. Many triangles, lest the processor learn the way of each by heart.
+TimedLadder race_of_calls(int area) {
   const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
-  const std::vector<Corners> triangles = triangles_inside(area, *image);
+  const std::vector<Corners> triangles = triangles_inside(4096, area, *image);
   MemoryLimit limit(*image);
   for (const Corners& corners : triangles) {
     for_each_span(snap(corners), image->width(), image->height(), [&](int y, int begin, int end) {
       limit.add(std::ptrdiff_t{y} * image->width() + begin, end - begin);
     });
   }
-  const std::function<void()> peer = opencv_triangles(*image, triangles, color);
-  const auto judged = [&](const std::function<void()>& draw) -> Errors {
-    image->clear({});
-    draw();
-    return {{"different pixels per million", difference(*image, triangles)}};
-  };
   TimedLadder ladder{.name = "triangles of " + std::to_string(area) + " pixels",
                      .stage = "02",
                      .unit = "triangle",
@@ -131,19 +146,32 @@ TimedLadder race(int area) {
                                 .work = limit,
                                 .errors = {},
                                 .role = Role::limit},
-                               {.name = "cv::fillConvexPoly",
-                                .fault = "draws its boundary too: up to a pixel too large",
-                                .work = peer,
-                                .errors = judged(peer),
-                                .role = Role::peer}}};
+                               peer_rung(*image, triangles)}};
   for (const SpanFill& way : span_fills()) {
     const auto quick = [image, triangles, fill = way.fill] {
       for (const Corners& corners : triangles) fill(*image, corners, color);
     };
-    ladder.rungs.push_back({.name = std::string("fill_spans, ") + way.name,
-                            .fault = "none",
-                            .work = quick,
-                            .errors = judged(quick)});
+    ladder.rungs.push_back(
+        quick_rung(std::string("fill_spans, ") + way.name, *image, triangles, quick));
+  }
+  return ladder;
+}
+
+/// The same of lists, which are drawn by one call, too.
+TimedLadder race_of_lists(std::size_t count, int area) {
+  const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
+  const std::vector<Corners> triangles = triangles_inside(count, area, *image);
+  TimedLadder ladder{.name = "list of " + std::to_string(count) + " triangles of " +
+                             std::to_string(area) + " pixels",
+                     .stage = "02",
+                     .unit = "triangle",
+                     .units = static_cast<double>(triangles.size()),
+                     .error = "different pixels per million",
+                     .rungs = {peer_rung(*image, triangles)}};
+  for (const TriangleListWay& way : triangle_list_ways()) {
+    const auto quick = [image, triangles, fill = way.fill] { fill(*image, triangles, color); };
+    ladder.rungs.push_back(
+        quick_rung(std::string("fill_triangle_list, ") + way.name, *image, triangles, quick));
   }
   return ladder;
 }
@@ -154,7 +182,12 @@ std::vector<MakeLadder> ladders() {
     all.emplace_back([index] { return fill_ladder_on(index); });
   for (const Grid& grid : {Grid{0, 16, 16}, {16000, 16, 16}, {16000, 3, 512}})
     all.emplace_back([grid] { return edge_number_ladder(grid); });
-  for (const int area : {10, 100, 1000, 10000}) all.emplace_back([area] { return race(area); });
+  for (const int area : {10, 100, 1000, 10000}) {
+    for (const std::size_t count : {4096, 10'000'000 / area})
+      all.emplace_back([count, area] { return race_of_lists(count, area); });
+  }
+  for (const int area : {10, 100, 1000, 10000})
+    all.emplace_back([area] { return race_of_calls(area); });
   return all;
 }
 

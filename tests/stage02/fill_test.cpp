@@ -6,12 +6,14 @@
 #include "common/triangles/fill_scanline.h"
 #include "common/triangles/fill_spans.h"
 #include "common/triangles/fill_triangle_gradient.h"
+#include "common/triangles/fill_triangle_list.h"
 
 #include "tests/oracle/exact_triangle.h"
 #include "tests/support/picture_text.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -329,6 +331,141 @@ TEST(stage02_fill_spans, refuse_corners_too_far) {
     Image<Rgb8> image(4, 4);
     EXPECT_THROW(way.fill(image, {{{0, 0}, {0x1p30 + 1, 0}, {0, 4}}}, white), CheckError);
     EXPECT_THROW(way.fill(image, {{{0, 0}, {4, nan}, {0, 4}}}, white), CheckError);
+  }
+}
+
+/// Checks that every way to fill a list sets exactly the pixels that the last rung sets triangle by
+/// triangle, of a picture that differs everywhere, and counts what single calls count.
+void expect_filled_as_one_by_one(const std::vector<Corners>& triangles, int width, int height) {
+  const Rgb8 color{10, 20, 30};
+  Image<Rgb8> before(width, height, Rgb8{7, 8, 9});
+  for (std::size_t i = 0; i < before.pixels().size(); ++i)
+    before.pixels()[i].g = static_cast<std::uint8_t>(i * 7);
+  Image<Rgb8> expected = before;
+  Image<Rgb8> by_single_calls = before;
+  std::int64_t pixels = 0;
+  for (const Corners& corners : triangles) {
+    fill_edge_functions(expected, corners, color);
+    pixels += fill_spans(by_single_calls, corners, color);
+  }
+  for (const TriangleListWay& way : triangle_list_ways()) {
+    Image<Rgb8> image = before;
+    EXPECT_EQ(way.fill(image, triangles, color), pixels) << way.name;
+    EXPECT_TRUE(image == expected)
+        << way.name << ", " << triangles.size() << " triangles, " << width << " x " << height;
+  }
+}
+
+/// A triangle no larger than `size` pixels somewhere around a width × height image; some without
+/// area, some of them slivers, some with corners on pixel centres.
+Corners random_small_corners(std::mt19937& random, int width, int height, int size) {
+  const int units = random() % 4U == 0 ? 2 : 256;
+  const auto up_to = [&random](int most) {
+    return static_cast<int>(random() % static_cast<unsigned>(most + 1));
+  };
+  const Eigen::Vector2d place(up_to(width + size) - size, up_to(height + size) - size);
+  Corners corners = random_corners(random, 0, size, units);
+  const unsigned kind = random() % 16U;
+  if (kind == 0) corners[2] = corners[1];
+  if (kind == 1) corners[2] = (corners[0] + corners[1]) / 2;
+  if (kind == 2) corners[2] = corners[1] + random_corner(random, -2, 2, 256) / 256;
+  if (kind == 3) corners[2].y() = corners[1].y();
+  if (kind == 4) corners[2].x() = corners[1].x();
+  for (Eigen::Vector2d& corner : corners) corner += place;
+  return corners;
+}
+
+TEST(stage02_fill_triangle_list, any_triangles_of_an_image) {
+  constexpr std::array sizes = {2, 6, 10, 21, 22, 32, 33, 63, 64, 90};
+  std::mt19937 random(13);
+  for (const auto& [width, height] : {std::pair{1, 1}, {9, 7}, {70, 50}, {200, 3}, {3, 200}}) {
+    for (std::size_t i = 0; i < 200; ++i) {
+      std::vector<Corners> triangles;
+      while (triangles.size() < i % 41) {
+        const int size = sizes[random() % sizes.size()];
+        triangles.push_back(random_small_corners(random, width, height, size));
+      }
+      expect_filled_as_one_by_one(triangles, width, height);
+    }
+  }
+}
+
+// One alone, so that no other covers what is wrong with it.
+TEST(stage02_fill_triangle_list, one_small_triangle) {
+  std::mt19937 random(14);
+  for (int i = 0; i < 3000; ++i)
+    expect_filled_as_one_by_one({random_small_corners(random, 12, 11, 2 + i % 9)}, 12, 11);
+}
+
+TEST(stage02_fill_triangle_list, rows_of_every_length) {
+  for (int length = 0; length <= 70; ++length) {
+    std::vector<Corners> triangles;
+    for (int i = 0; i < 9; ++i)
+      triangles.push_back({{{5, 3 * i + 1}, {5.0 + length, 3 * i + 1}, {5.0 + i, 3 * i + 3}}});
+    expect_filled_as_one_by_one(triangles, 80, 30);
+  }
+}
+
+// More rows than wait at once to be written.
+TEST(stage02_fill_triangle_list, many_rows) {
+  std::vector<Corners> triangles;
+  for (int i = 0; i < 43; ++i) triangles.push_back({{{0, i}, {63, i + 1}, {i, i + 32}}});
+  expect_filled_as_one_by_one(triangles, 60, 80);
+}
+
+TEST(stage02_fill_triangle_list, at_the_bounds_of_single_calls) {
+  std::vector<Corners> triangles;
+  for (const double far : {-32768.0, -32767.0, 32750.0, 32759.0}) {
+    triangles.push_back({{{far, 0}, {far + 9, 1}, {far, 2}}});
+    triangles.push_back({{{0, far}, {1, far + 9}, {2, far}}});
+  }
+  expect_filled_as_one_by_one(triangles, 20, 20);
+  expect_filled_as_one_by_one(triangles, 32768, 2);
+  expect_filled_as_one_by_one(triangles, 2, 32768);
+  expect_filled_as_one_by_one(triangles, 0, 0);
+}
+
+TEST(stage02_fill_triangle_list, far_from_the_origin) {
+  std::mt19937 random(15);
+  constexpr int size = 20;
+  constexpr int far = static_cast<int>(max_coordinate) - size;
+  for (const auto& [width, height] : {std::pair{far, 2}, {2, far}}) {
+    std::vector<Corners> triangles;
+    while (triangles.size() < 2000)
+      triangles.push_back(random_small_corners(random, width, height, size));
+    expect_filled_as_one_by_one(triangles, width, height);
+  }
+}
+
+TEST(stage02_fill_triangle_list, beyond_the_bounds_of_single_calls) {
+  const std::vector<Corners> triangles = {{{{1, 1}, {0x1p30, 3}, {1, 9}}},
+                                          {{{-40000, 2}, {12, 2}, {12, 40000}}},
+                                          {{{32767, 2}, {32769, 0}, {32770, 40}}}};
+  std::vector<oracle::GridTriangle> on_grid;
+  for (const Corners& corners : triangles) on_grid.push_back(oracle::to_grid(corners));
+  const Image<std::uint16_t> times = oracle::coverage(on_grid, 33000, 12);
+  for (const TriangleListWay& way : triangle_list_ways()) {
+    Image<Rgb8> image(33000, 12);
+    EXPECT_EQ(way.fill(image, triangles, white),
+              std::accumulate(times.pixels().begin(), times.pixels().end(), std::int64_t{0}))
+        << way.name;
+    EXPECT_TRUE(same_picture(picture_text(image), picture_text(times))) << way.name;
+  }
+}
+
+TEST(stage02_fill_triangle_list, refuses_corners_too_far) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const TriangleListWay& way : triangle_list_ways()) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (const int axis : {0, 1}) {
+        for (const double value : {nan, 0x1p30 + 1, -0x1p30 - 1}) {
+          std::vector<Corners> triangles(11, Corners{{{0, 0}, {4, 1}, {0, 4}}});
+          triangles[corner * 4 + 1][corner][axis] = value;
+          Image<Rgb8> image(4, 4);
+          EXPECT_THROW(way.fill(image, triangles, white), CheckError) << way.name;
+        }
+      }
+    }
   }
 }
 

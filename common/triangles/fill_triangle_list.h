@@ -1,0 +1,30 @@
+// Many triangles of one colour, quicker than one by one: given, for stages and benchmarks.
+#pragma once
+
+#include "common/image/image.h"
+#include "common/image/pixel.h"
+#include "common/triangles/fixed_point.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rasterlab {
+
+/// Draws what fill_spans() draws of each triangle, and returns the sum of what that returns. Throws
+/// CheckError for a corner beyond ±2^30 pixels or a coordinate that is not a number; the image is
+/// then drawn in part.
+std::int64_t fill_triangle_list(Image<Rgb8>& image, std::span<const Corners> triangles,
+                                const Rgb8& color);
+
+/// A way to do what fill_triangle_list() does.
+struct TriangleListWay {
+  const char* name;
+  std::int64_t (*fill)(Image<Rgb8>& image, std::span<const Corners> triangles, const Rgb8& color);
+};
+
+/// The ways that this processor can go, the plain one first; fill_triangle_list() takes the last.
+/// All draw the same: for tests and benchmarks.
+const std::vector<TriangleListWay>& triangle_list_ways();
+
+}  // namespace rasterlab
