@@ -14,7 +14,7 @@ body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto
 h1, h2, h3 { line-height: 1.2; }
 pre { overflow-x: auto; background: #8881; padding: .6rem; border-radius: 4px; font-size: 13px; line-height: 1.25; }
 table { border-collapse: collapse; } td, th { padding: .2rem .7rem; text-align: left; border-bottom: 1px solid #8884; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 .right { color: #1a7f37; } .wrong { color: #cf222e; } .failed { color: #9a6700; }
 figure { display: inline-block; width: 258px; margin: .5rem 1rem .5rem 0; vertical-align: top; }
 figcaption { font-size: 14px; line-height: 1.3; }
@@ -73,7 +73,8 @@ def _overview(record: Record) -> str:
         f'<tr><td><a href="#e{html.escape(e["id"])}">{html.escape(e["id"])}</a></td><td>{html.escape(e["title"])}</td>'
         f'<td>{_verdict(e["verdict"])}</td><td class="number">{words.points(e["score"])} / {e["max_score"]:g}</td></tr>\n'
         for e in record.exercises)
-    return f"<table>\n<tr><th></th><th>exercise</th><th>verdict</th><th>points</th></tr>\n{rows}</table>\n"
+    return ('<table>\n<tr><th></th><th>exercise</th><th>verdict</th><th class="number">points</th></tr>\n'
+            f"{rows}</table>\n")
 
 
 def _exercise(entry: Json) -> str:
@@ -116,10 +117,10 @@ def _scene(entry: Json, scene: Json) -> str:
 def _wrong_result(entry: Json, scene: Json, result: Json) -> str:
     body = f"<p><strong>{html.escape(result['name'])}.</strong> {html.escape(result['message'])}</p>\n"
     if kind := result.get("kind_of_wrong"):
-        body += _paragraph(f"It looks {kind}.")
+        body += _paragraph(f"Kind of wrong: {kind}.")
     body += _pictures(f"{entry['id']}/{scene['number']}", result.get("pictures", {}))
     if grid := result.get("grid"):
-        body += _paragraph("Each pixel: # drawn, ? missing, ! extra, x another value.") + _pre(grid)
+        body += _paragraph("Each pixel: # drawn, . empty, ? missing, ! extra, x another value.") + _pre(grid)
     return body
 
 
@@ -190,7 +191,7 @@ def _commonest_mistakes(records: list[Record]) -> str:
         return ""
     rows = "".join(f'<tr><td class="number">{count}</td><td>{html.escape(exercise)}</td>'
                    f"<td>{html.escape(title)}</td></tr>\n" for (exercise, title), count in counts.most_common(20))
-    return ("<h2>Commonest mistakes</h2>\n<table>\n<tr><th>answers</th><th></th><th>looks like</th></tr>\n"
+    return ('<h2>Commonest mistakes</h2>\n<table>\n<tr><th class="number">answers</th><th></th><th>looks like</th></tr>\n'
             f"{rows}</table>\n")
 
 
@@ -199,7 +200,7 @@ def _students(records: list[Record]) -> str:
         f'<tr><td><a href="students/{urllib.parse.quote(r.name)}/index.html">{html.escape(r.name)}</a></td>'
         f'<td class="number">{words.points(r.score)} / {r.max_score:g}</td>'
         f"<td>{html.escape('; '.join(r.data['notes']))}</td></tr>\n" for r in records)
-    return ("<h2>Submissions</h2>\n<table>\n<tr><th>submission</th><th>points</th><th>notes</th></tr>\n"
+    return ('<h2>Submissions</h2>\n<table>\n<tr><th>submission</th><th class="number">points</th><th>notes</th></tr>\n'
             f"{rows}</table>\n")
 
 
