@@ -1,4 +1,7 @@
-"""Gradescope's results.json (https://gradescope-autograders.readthedocs.io, "Autograder Output Format")."""
+"""Gradescope's results.json (https://gradescope-autograders.readthedocs.io/en/latest/specs/, "Output format").
+
+Where the grader failed there is no score anywhere, which Gradescope asks for: better refused than a zero.
+"""
 
 import json
 

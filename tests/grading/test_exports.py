@@ -48,12 +48,20 @@ def test_hidden_scene_is_pass_or_fail_only() -> None:
 def test_gradescope_schema() -> None:
     results = json.loads(gradescope.export(record(entry("01.5", "wrong", 1.0), entry("01.6", "right", 3.0))))
     assert results["score"] == 4.0
+    assert set(results) <= {"score", "execution_time", "output", "output_format", "test_output_format", "test_name_format",
+                            "visibility", "stdout_visibility", "extra_data", "tests", "leaderboard"}
+    assert results["stdout_visibility"] in {"hidden", "after_due_date", "after_published", "visible"}
     allowed = {"score", "max_score", "status", "name", "name_format", "number", "output", "output_format", "tags",
                "visibility", "extra_data"}
     assert all(set(test) <= allowed for test in results["tests"])
-    assert all(test["output_format"] == "text" for test in results["tests"])
+    assert {test["output_format"] for test in results["tests"]} == {results["output_format"]} == {"text"}
+    assert {test["visibility"] for test in results["tests"]} == {results["visibility"]} == {"visible"}
+    assert [test["status"] for test in results["tests"] if "score" in test] == ["failed", "passed"]
+    assert {test["status"] for test in results["tests"]} == {"passed", "failed"}
+    assert all(isinstance(test[key], str) for test in results["tests"] for key in ("name", "number", "output"))
+    assert all(isinstance(tag, str) for test in results["tests"] for tag in test["tags"])
     assert sum(test.get("score", 0) for test in results["tests"]) == results["score"]
-    assert {"name", "value"} <= set(results["leaderboard"][0])
+    assert all({"name", "value"} <= set(column) <= {"name", "value", "order"} for column in results["leaderboard"])
 
 
 def test_grader_error_is_no_zero() -> None:
