@@ -20,8 +20,8 @@ struct DepthCorner {
 /// each other are seen to meet in a line.
 ///
 /// A right answer's depth is within 1e-6 and its colour within 1 of 255. A triangle of no area
-/// draws nothing; either winding draws the same. Corners to ±2^30 pixels; throws CheckError beyond.
-/// Cost: one step per pixel covered inside the image.
+/// draws nothing; either winding draws the same. Corners to ±2^30 pixels; throws CheckError beyond,
+/// or for a coordinate that is not a number. Cost: one step per pixel covered inside the image.
 ///
 /// Source: A.Q29.
 void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,

@@ -484,6 +484,13 @@ TEST(stage01_draw_line_gradient, wherever_the_ends_are) {
   });
 }
 
+TEST(stage01_draw_line_gradient, ends_too_far) {
+  Image<Rgb8> image(4, 4);
+  const Color grey(0.5F, 0.5F, 0.5F);
+  EXPECT_THROW(draw_line_gradient(image, {0, 0}, grey, {far + 1, 0}, grey), CheckError);
+  EXPECT_THROW(draw_line_gradient(image, {0, -far - 1}, grey, {0, 0}, grey), CheckError);
+}
+
 // 01.11
 
 Mesh triangle_mesh(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {

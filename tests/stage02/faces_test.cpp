@@ -132,12 +132,41 @@ TEST(stage02_draw_flat_faces, faces_turned_away_are_left_out) {
   EXPECT_EQ(image(1, 1), (Rgb8{255, 255, 255}));
 }
 
-TEST(stage02_draw_flat_faces, hostile_corners_are_left_out) {
+/// A face without area, or with a corner too far or not a number, and one as large as the window.
+Mesh good_face_after(const Eigen::Vector3f& corner) {
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, corner, {3, -1, 0}, {-1, 3, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 4}, {0, 1, 2}};
+  return mesh;
+}
+
+TEST(stage02_draw_flat_faces, faces_that_are_none_are_left_out) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Eigen::Vector3f& corner :
+       {Eigen::Vector3f(1, -1, 0), {0.5F, -1, 0}, {1e30F, 1, 0}, {nan, 0, 0}, {0, nan, 0}}) {
+    const Mesh mesh = good_face_after(corner);
+    Image<Rgb8> flat(8, 8);
+    draw_flat_faces(flat, mesh);
+    EXPECT_EQ(flat, Image<Rgb8>(8, 8, {255, 255, 255}))
+        << "a face with a corner at (" << corner.transpose() << ") has no area, or no place";
+    Image<Rgb8> random(8, 8);
+    draw_random_faces(random, mesh, 1);
+    EXPECT_EQ(random, Image<Rgb8>(8, 8, random(0, 0)))
+        << "a face with a corner at (" << corner.transpose() << ") has no area, or no place";
+    EXPECT_NE(random(0, 0), Rgb8{}) << "and the others are drawn";
+  }
+}
+
+TEST(stage02_draw_flat_faces, later_faces_cover_earlier_ones) {
   Mesh mesh = two_faces();
-  mesh.positions[1].x() = std::numeric_limits<float>::quiet_NaN();
+  mesh.positions[3] = {1, -1, 2};  // the second face, over the first, is steep and dark
+  std::swap(mesh.triangles[1][1], mesh.triangles[1][2]);
   Image<Rgb8> image(8, 8);
-  EXPECT_NO_THROW(draw_flat_faces(image, mesh));
-  EXPECT_NO_THROW(draw_random_faces(image, mesh, 1));
+  draw_flat_faces(image, mesh);
+  const Rgb8 seen = image(5, 5);
+  std::swap(mesh.triangles[0], mesh.triangles[1]);
+  draw_flat_faces(image, mesh);
+  EXPECT_NE(image(5, 5), seen) << "what is drawn last is seen";
 }
 
 }  // namespace

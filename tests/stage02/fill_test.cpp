@@ -84,6 +84,15 @@ TEST(stage02_draw_triangle_wireframe, outside_is_left_out) {
   EXPECT_EQ(picture_text(image)[2], "#####") << "the side that crosses the image is seen whole";
 }
 
+TEST(stage02_draw_triangle_wireframe, corners_too_far) {
+  Image<Rgb8> image(4, 4);
+  constexpr int far_away = 1 << 30;
+  EXPECT_NO_THROW(
+      draw_triangle_wireframe(image, {{{0, -far_away}, {far_away, 9}, {-far_away, 9}}}, white));
+  EXPECT_THROW(draw_triangle_wireframe(image, {{{0, 0}, {1, 1}, {far_away + 1, 0}}}, white),
+               CheckError);
+}
+
 // 02.3
 
 TEST(stage02_fill_triangle, sides_and_inside) {
@@ -149,6 +158,30 @@ TEST(stage02_fill_triangle_gradient, same_pixels_as_one_colour) {
   Image<Rgb8> plain(30, 40);
   fill_triangle(plain, corners, white);
   EXPECT_EQ(gradient, plain) << "three equal colours are one colour";
+}
+
+TEST(stage02_fill_triangle_gradient, one_pixel_and_lines) {
+  const std::array<Color, 3> colors = {Color(1, 0, 0), Color(0, 1, 0), Color(0, 0, 1)};
+  Image<Rgb8> point(3, 3);
+  fill_triangle_gradient(point, {{{1, 1}, {1, 1}, {1, 1}}}, colors);
+  EXPECT_TRUE(covers_exactly(point, {"...", ".#.", "..."})) << "three equal corners are one pixel";
+  for (const PixelTriangle& corners :
+       {PixelTriangle{{{1, 0}, {1, 2}, {1, 1}}}, {{{1, 0}, {1, 0}, {1, 2}}}}) {
+    Image<Rgb8> column(3, 3);
+    fill_triangle_gradient(column, corners, colors);
+    EXPECT_TRUE(covers_exactly(column, {".#.", ".#.", ".#."})) << "a flat triangle is a line";
+  }
+}
+
+TEST(stage02_fill_triangle_gradient, far_outside) {
+  Image<Rgb8> image(4, 4);
+  constexpr int far_away = 1 << 30;
+  const std::array<Color, 3> colors = {Color(1, 1, 1), Color(1, 1, 1), Color(1, 1, 1)};
+  fill_triangle_gradient(image, {{{-far_away, -far_away}, {far_away, -far_away}, {0, far_away}}},
+                         colors);
+  EXPECT_TRUE(covers_exactly(image, {"####", "####", "####", "####"})) << "the image is inside";
+  EXPECT_THROW(fill_triangle_gradient(image, {{{0, 0}, {far_away + 1, 0}, {0, 1}}}, colors),
+               CheckError);
 }
 
 TEST(stage02_fill_triangle_gradient, is_a_plane) {

@@ -134,6 +134,19 @@ TEST(stage03_draw_depth_line, outside_in_every_direction) {
   }
 }
 
+TEST(stage03_draw_depth_line, out_to_the_largest_coordinates) {
+  constexpr int far_away = 1 << 30;
+  Canvas canvas(5, 3);
+  draw_depth_line(canvas.image, canvas.depth, {{-far_away, 1}, -0.5F, red},
+                  {{far_away, 1}, 0.5F, red});
+  EXPECT_TRUE(covers_exactly(canvas.image, {".....", "#####", "....."}));
+  EXPECT_NEAR(canvas.depth.depths()(2, 1), 0, 1e-6) << "halfway the depth is halfway";
+  for (const Point& beyond : {Point(far_away + 1, 1), Point(1, -far_away - 1)}) {
+    EXPECT_THROW(draw_depth_line(canvas.image, canvas.depth, {{0, 0}, 0, red}, {beyond, 0, red}),
+                 CheckError);
+  }
+}
+
 std::array<DepthCorner, 3> triangle(const std::array<Eigen::Vector2f, 3>& p,
                                     const std::array<float, 3>& z, const std::array<Color, 3>& c) {
   return {DepthCorner{p[0].cast<double>(), z[0], c[0]},
@@ -220,6 +233,24 @@ TEST(stage03_draw_depth_triangle, either_winding_draws_the_same) {
   Canvas other(32, 32);
   draw_depth_triangle(other.image, other.depth, {corners[0], corners[2], corners[1]});
   EXPECT_TRUE(same_picture(picture_text(other.image), picture_text(one.image)));
+}
+
+TEST(stage03_draw_depth_triangle, out_to_the_largest_coordinates) {
+  const float far_away = 0x1p30F;
+  Canvas canvas(4, 2);
+  draw_depth_triangle(canvas.image, canvas.depth,
+                      triangle({{{-far_away, -far_away}, {far_away, -far_away}, {0, far_away}}},
+                               {0.25F, 0.25F, 0.25F}, {red, red, red}));
+  EXPECT_TRUE(covers_exactly(canvas.image, {"####", "####"})) << "the image is inside";
+  EXPECT_NEAR(canvas.depth.depths()(1, 1), 0.25, 1e-6);
+  for (const float beyond :
+       {1.0001F * far_away, -1.0001F * far_away, std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_THROW(
+        draw_depth_triangle(canvas.image, canvas.depth,
+                            triangle({{{0, 0}, {4, 0}, {0, beyond}}}, {0, 0, 0}, {red, red, red})),
+        CheckError)
+        << beyond;
+  }
 }
 
 TEST(stage03_draw_depth_triangle, cut_off_in_depth_pixel_by_pixel) {
