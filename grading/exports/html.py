@@ -13,8 +13,9 @@ _STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 h1, h2, h3 { line-height: 1.2; }
 pre { overflow-x: auto; background: #8881; padding: .6rem; border-radius: 4px; font-size: 13px; line-height: 1.25; }
-table { border-collapse: collapse; } td, th { padding: .2rem .7rem; text-align: left; border-bottom: 1px solid #8884; }
-td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; display: block; overflow-x: auto; }
+td, th { padding: .2rem .7rem; text-align: left; border-bottom: 1px solid #8884; }
+td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 .right { color: #1a7f37; } .wrong { color: #cf222e; } .failed { color: #9a6700; }
 figure { display: inline-block; width: 258px; margin: .5rem 1rem .5rem 0; vertical-align: top; }
 figcaption { font-size: 14px; line-height: 1.3; }
@@ -176,7 +177,8 @@ def _distribution(records: list[Record]) -> str:
     rows = ""
     for exercise, counts in verdicts.items():
         share = sum(means[exercise]) / len(means[exercise]) if means[exercise] else 0.0
-        spread = ", ".join(f"{count} {html.escape(verdict)}" for verdict, count in counts.most_common())
+        right_first = sorted(counts.items(), key=lambda item: (item[0] != "right", -item[1]))
+        spread = ", ".join(f"{count} {html.escape(verdict)}" for verdict, count in right_first)
         rows += (f"<tr><td>{html.escape(exercise)}</td><td>{html.escape(titles[exercise])}</td>"
                  f'<td><span class="bar" style="width:{share * 8:.2f}rem"></span> {share:.0%}</td>'
                  f"<td>{spread}</td></tr>\n")
