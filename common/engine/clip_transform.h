@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include <Eigen/Dense>
 
@@ -34,7 +35,7 @@ struct ClipTransform {
   }
 
   static float guard_band(int side) {
-    return std::max(32768.0F / static_cast<float>(side) - 1, 1.0F);
+    return static_cast<float>(std::bit_floor(32768U / static_cast<unsigned>(std::max(side, 1))));
   }
 };
 

@@ -136,9 +136,8 @@ void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Bi
   }
 }
 
-/// Triangles that need clipping, one by one.
-void bin_clipped(const DrawJob& job, const Clusters& clusters, const Cluster& cluster,
-                 std::uint32_t index, Binning& binning) {
+TrianglePositions positions_of(const Clusters& clusters, const Cluster& cluster,
+                               std::uint32_t index) {
   TrianglePositions positions;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::uint32_t vertex = cluster.first_vertex + clusters.corner[c][index];
@@ -146,6 +145,13 @@ void bin_clipped(const DrawJob& job, const Clusters& clusters, const Cluster& cl
       positions[c][axis] = clusters.position[axis][vertex];
     }
   }
+  return positions;
+}
+
+/// Triangles that need clipping, one by one.
+void bin_clipped(const DrawJob& job, const Clusters& clusters, const Cluster& cluster,
+                 std::uint32_t index, Binning& binning) {
+  const TrianglePositions positions = positions_of(clusters, cluster, index);
   const std::uint32_t key = job.first_key + clusters.triangle[index];
   const ClippedPolygon polygon = clip_triangle(job.transform, positions);
   const ClippedParts parts = parts_of(job.transform, polygon);
@@ -158,6 +164,33 @@ void bin_clipped(const DrawJob& job, const Clusters& clusters, const Cluster& cl
     return;
   }
   for (const ClippedPart& part : parts.all()) bin_part(job, part, key, binning);
+}
+
+/// Those so thin that snapping may have turned them over. A coordinate is off by less than 2½ of
+/// 1/256 pixel, by single precision and by snapping, and so twice the area by less than 5 times
+/// what the box around the triangle is wide and high, and 50.
+Truth maybe_turned_over(const Triangles& t, Number area) {
+  const auto extent = [](const std::array<Ints, 3>& a) {
+    return maximum(maximum(a[0], a[1]), a[2]) - minimum(minimum(a[0], a[1]), a[2]);
+  };
+  return magnitude(area) < Number(6) * as_numbers(extent(t.x) + extent(t.y)) + Number(64);
+}
+
+/// Of these triangles those that snapping has turned over: drawn, they would lie on their
+/// neighbours (common/projection/cut_outline.h has the same rule).
+std::uint32_t turned_over(const DrawJob& job, const Clusters& clusters, const Cluster& cluster,
+                          std::uint32_t from, std::uint32_t triangles, Number area) {
+  std::uint32_t over = 0;
+  const std::uint32_t clockwise = bits(area > Number(0));
+  for (; triangles != 0; triangles &= triangles - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(triangles));
+    const TrianglePositions p = positions_of(clusters, cluster, from + lane);
+    const auto corner = [&](std::size_t i) { return to_clipped_corner(job.transform, p[i]); };
+    const int side = seen_side(corner(0), corner(1), corner(2));
+    const int snapped_side = (clockwise >> lane & 1) != 0 ? 1 : -1;
+    if (side == -snapped_side) over |= 1U << lane;
+  }
+  return over;
 }
 
 void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& cluster,
@@ -191,7 +224,13 @@ void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& 
     const Truth shown = alive && kept_side(job.cull, area);
     const SampleBounds bounds = sample_bounds(t);
     const Truth hits = shown && bounds.left <= bounds.right && bounds.top <= bounds.bottom;
-    const Truth seen = hits && in_picture(job, bounds);
+    Truth seen = hits && in_picture(job, bounds);
+    if (job.cull == Cull::none) {
+      const std::uint32_t thin = bits(seen && maybe_turned_over(t, area));
+      if (thin != 0) {
+        seen = seen && !truth_of(turned_over(job, clusters, cluster, from, thin, area));
+      }
+    }
     make_area_positive(t, area);
     start_before_far_plane(t);
     statistics.triangles_culled += static_cast<unsigned>(std::popcount(bits(alive && !shown)));

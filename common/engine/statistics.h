@@ -18,7 +18,7 @@ struct Statistics {
   std::uint64_t vertices_skipped = 0;      ///< of skipped clusters
   std::uint64_t triangles = 0;             ///< of clusters that were not skipped
   std::uint64_t triangles_culled = 0;      ///< back faces, zero area
-  std::uint64_t triangles_missed = 0;      ///< that miss every sample
+  std::uint64_t triangles_missed = 0;      ///< that miss every sample, or that snapping turned over
   std::uint64_t triangles_hidden = 0;      ///< small, behind what earlier batches drew
   std::uint64_t triangles_clipped = 0;
   std::uint64_t triangles_binned = 0;  ///< once per tile

@@ -307,7 +307,7 @@ void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
     const ClippedCorner& corner = *part.corner[c];
     lanes_of_part.x[c] = Ints(part.snapped[c].x);
     lanes_of_part.y[c] = Ints(part.snapped[c].y);
-    lanes_of_part.w[c] = Number(corner.w);
+    lanes_of_part.w[c] = Number(static_cast<float>(corner.w));
     for (std::size_t i = 0; i < count; ++i) {
       const double a0 = corners[i];
       values[c * count + i] = static_cast<float>(

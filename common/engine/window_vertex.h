@@ -59,19 +59,15 @@ inline Number reversed_depth(const ClipTransform& transform, Number x, Number y,
 // ---------------------------------------------------------------------------------------------
 // Clipping, one triangle at a time
 
-/// A corner of what is left of a triangle.
+/// A corner of what is left of a triangle, as exercise 04.9 has it before it rounds.
 struct ClippedCorner {
-  float x, y, z, w;       ///< clip space, rounded as exercise 04.9 rounds
-  double depth, depth_w;  ///< reversed depth's numerator, and its denominator: w, rounded less
-  double b1, b2;          ///< where in the triangle: weights of its corners 1 and 2
+  double x, y, z, w;  ///< clip space
+  double depth;       ///< reversed depth's numerator
+  double b1, b2;      ///< where in the triangle: weights of its corners 1 and 2
 
-  /// (w − z) / 2w. Of w at a cut single precision may leave little but rounding, which the
-  /// numerator does not share; the window position does, and the depth has to be that of this
-  /// position.
+  /// (w − z) / 2w.
   float reversed_depth() const {
-    const auto rounded_w = static_cast<double>(w);
-    const double exact = depth / rounded_w + 0.5 * (1 - depth_w / rounded_w);
-    return static_cast<float>(std::clamp<double>(exact, -farthest_depth, farthest_depth));
+    return static_cast<float>(std::clamp<double>(depth / w, -farthest_depth, farthest_depth));
   }
 };
 
@@ -90,18 +86,12 @@ struct ClippedPolygon {
 
 /// From a corner inside to one outside: so two triangles that share the side cut it alike.
 inline ClippedCorner cut(const ClippedCorner& inside, const ClippedCorner& outside,
-                         float inside_distance, float outside_distance) {
-  const float t = inside_distance / (inside_distance - outside_distance);
-  const auto mix = [t](float a, float b) { return a + t * (b - a); };
-  const auto mix_double = [t](double a, double b) { return a + static_cast<double>(t) * (b - a); };
-  return {mix(inside.x, outside.x),
-          mix(inside.y, outside.y),
-          mix(inside.z, outside.z),
-          mix(inside.w, outside.w),
-          mix_double(inside.depth, outside.depth),
-          mix_double(inside.depth_w, outside.depth_w),
-          mix_double(inside.b1, outside.b1),
-          mix_double(inside.b2, outside.b2)};
+                         double inside_distance, double outside_distance) {
+  const double t = inside_distance / (inside_distance - outside_distance);
+  const auto mix = [t](double a, double b) { return a + t * (b - a); };
+  return {mix(inside.x, outside.x),  mix(inside.y, outside.y),         mix(inside.z, outside.z),
+          mix(inside.w, outside.w),  mix(inside.depth, outside.depth), mix(inside.b1, outside.b1),
+          mix(inside.b2, outside.b2)};
 }
 
 /// Keeps what has distance ≥ 0, which not a number has not (Sutherland and Hodgman, "Reentrant
@@ -113,8 +103,8 @@ ClippedPolygon clip_to_plane(const ClippedPolygon& polygon, Distance distance) {
   for (int i = 0; i < polygon.size; ++i) {
     const ClippedCorner& a = polygon.corner[static_cast<std::size_t>(i)];
     const ClippedCorner& b = polygon.corner[static_cast<std::size_t>((i + 1) % polygon.size)];
-    const float da = distance(a);
-    const float db = distance(b);
+    const double da = distance(a);
+    const double db = distance(b);
     if (da >= 0) result.add(a);
     if (da >= 0 && !(db >= 0)) result.add(cut(a, b, da, db));
     if (!(da >= 0) && db >= 0) result.add(cut(b, a, db, da));
@@ -133,20 +123,15 @@ inline ClippedCorner to_clipped_corner(const ClipTransform& transform,
   };
   const auto& d = transform.depth_row;
   const double depth = ((d[0] * p[0] + d[1] * p[1]) + d[2] * p[2]) + d[3];
-  const float w = row(3);
-  return {row(0), row(1), row(2), w, depth, w, 0, 0};
+  return {row(0), row(1), row(2), row(3), depth, 0, 0};
 }
 
 /// Which way round the corners go as they are seen, also behind the eye: 1 clockwise, −1
 /// counter-clockwise, 0 where the eye is in their plane as nearly as doubles can say.
 inline int seen_side(const ClippedCorner& a, const ClippedCorner& b, const ClippedCorner& c) {
-  const auto minor = [](float p, float q, float r, float s) {
-    return static_cast<double>(p) * static_cast<double>(s) -
-           static_cast<double>(q) * static_cast<double>(r);
-  };
-  const double determinant = static_cast<double>(a.x) * minor(b.y, b.w, c.y, c.w) +
-                             static_cast<double>(a.y) * minor(b.w, b.x, c.w, c.x) +
-                             static_cast<double>(a.w) * minor(b.x, b.y, c.x, c.y);
+  const auto minor = [](double p, double q, double r, double s) { return p * s - q * r; };
+  const double determinant = a.x * minor(b.y, b.w, c.y, c.w) + a.y * minor(b.w, b.x, c.w, c.x) +
+                             a.w * minor(b.x, b.y, c.x, c.y);
   return determinant > 0 ? -1 : determinant < 0 ? 1 : 0;
 }
 
@@ -163,8 +148,8 @@ inline ClippedPolygon clip_triangle(const ClipTransform& transform,
   }
   polygon.side = seen_side(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
   const auto clip = [&](auto distance) { polygon = clip_to_plane(polygon, distance); };
-  const float guard_x = transform.guard_x;
-  const float guard_y = transform.guard_y;
+  const double guard_x = transform.guard_x;
+  const double guard_y = transform.guard_y;
   clip([](const ClippedCorner& c) { return c.z + c.w; });
   clip([=](const ClippedCorner& c) { return guard_x * c.w + c.x; });
   clip([=](const ClippedCorner& c) { return guard_x * c.w - c.x; });
@@ -213,10 +198,11 @@ struct ClippedParts {
 
 /// False when rounding, or a corner that is no number, left it nowhere.
 inline bool snap(const ClipTransform& transform, const ClippedCorner& c, SnappedCorner& snapped) {
-  const float x = (c.x / c.w + 1.0F) * transform.half_width * 256.0F;
-  const float y = (1.0F - c.y / c.w) * transform.half_height * 256.0F;
+  const auto w = static_cast<float>(c.w);
+  const float x = (static_cast<float>(c.x) / w + 1.0F) * transform.half_width * 256.0F;
+  const float y = (1.0F - static_cast<float>(c.y) / w) * transform.half_height * 256.0F;
   constexpr auto limit = static_cast<float>(max_window_coordinate);
-  if (!(c.w > 0 && x <= limit && x >= -limit && y <= limit && y >= -limit)) return false;
+  if (!(w > 0 && x <= limit && x >= -limit && y <= limit && y >= -limit)) return false;
   // Adding and taking away 1.5 · 2^52 rounds a double to nearest, ties to even.
   constexpr double rounder = 0x1.8p52;
   const auto round = [](float a) {

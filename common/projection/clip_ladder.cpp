@@ -2,7 +2,7 @@
 #include "common/projection/clip.h"
 #include "common/triangles/fixed_point.h"
 
-#include <algorithm>
+#include <bit>
 #include <string>
 
 namespace rasterlab {
@@ -13,9 +13,8 @@ Eigen::Vector2f guard_band(int width, int height) {
     throw CheckError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                      " pixels cannot be drawn: sides are 1 to " + std::to_string(longest_side));
   }
-  // Half of the range in which coverage is exact; the other half is left to rounding.
   const auto band = [](int side) {
-    return std::max(static_cast<float>(max_coordinate) / static_cast<float>(side) - 1, 1.0F);
+    return static_cast<float>(std::bit_floor(static_cast<unsigned>(max_coordinate / side)));
   };
   return {band(width), band(height)};
 }

@@ -11,18 +11,17 @@ int sign(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// With y down, as in the window. Products of two floats are exact.
+}  // namespace
+
 int seen_side(const ClipTriangle& triangle) {
-  const Eigen::Vector4d a = triangle[0].cast<double>();
+  const Eigen::Vector4d a = triangle[0].cast<double>();  // products of two of them are exact
   const Eigen::Vector4d b = triangle[1].cast<double>();
   const Eigen::Vector4d c = triangle[2].cast<double>();
   const double determinant = a.x() * (b.y() * c.w() - b.w() * c.y()) +
                              a.y() * (b.w() * c.x() - b.x() * c.w()) +
                              a.w() * (b.x() * c.y() - b.y() * c.x());
-  return -sign(determinant);
+  return -sign(determinant);  // y is up here
 }
-
-}  // namespace
 
 CutOutline::CutOutline(const ClipTriangle& triangle, const ClipPolygon& polygon, int width,
                        int height)

@@ -1,8 +1,8 @@
-// Which pixels a triangle covers that has been cut.
+// Which pixels a triangle covers that is thinner than the 1/256 pixel its corners are snapped to.
 //
-// Its corners and the new ones are snapped to 1/256 pixel each by itself. What is thinner than that
-// may be turned over by it, all of it or the one end of it, and then lies on its neighbours: drawn,
-// it would cover their pixels a second time.
+// Corners, and the new ones where it is cut, are snapped each by itself. What is that thin may be
+// turned over by it, all of it or, if it is cut, the one end of it, and then lies on its
+// neighbours: drawn, it would cover their pixels a second time.
 #pragma once
 
 #include "common/projection/clip.h"
@@ -13,17 +13,24 @@
 
 namespace rasterlab {
 
+/// Which way round a triangle's corners go as it is seen, wherever they are: the sign of the
+/// determinant of their (x, y, w), in double precision. 1 clockwise in the window, −1
+/// counter-clockwise, 0 where the eye is in its plane, nearer than doubles can say.
+int seen_side(const ClipTriangle& triangle);
+
 /// The snapped outline of what clipping has left of a triangle.
 ///
-/// A pixel is the triangle's where the outline winds round its centre the way the triangle is seen:
-/// clockwise or not, as the determinant of its corners' (x, y, w) says in double precision,
-/// wherever they are. Where the outline winds the other way, or there and back, it is not. Windings
+/// A pixel is the triangle's where the outline winds round its centre the way the triangle is seen.
+/// Where the outline winds the other way, or there and back, it is not. Windings
 /// add up: along the edges of neighbours what the one's winds the other's unwinds. So of triangles
 /// that share edges one at least has each pixel that their common outline winds round, and only
-/// one, unless a neighbour at that very pixel is turned over.
+/// one, unless a third at that very pixel is turned over.
 ///
-/// Of a triangle in whose plane the eye is, nearer than doubles can say, the side counts that shows
-/// the larger area after snapping.
+/// Where one side is culled, it is culled as it lies, if the triangle is not cut: then a closed
+/// mesh has the same pixels without its back faces, up to its outline's last one.
+///
+/// Of a triangle in whose plane the eye is the side counts that shows the larger area after
+/// snapping.
 class CutOutline {
  public:
   CutOutline(const ClipTriangle& triangle, const ClipPolygon& polygon, int width, int height);

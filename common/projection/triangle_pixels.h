@@ -39,7 +39,7 @@ struct TriangleCounts {
   std::int64_t clipped = 0;    ///< cut at the near plane or the guard band
   std::int64_t outside = 0;    ///< nothing left of it in front of the near plane
   std::int64_t culled = 0;     ///< pieces turned the wrong way
-  std::int64_t no_area = 0;    ///< pieces without area in the window
+  std::int64_t no_area = 0;    ///< pieces without area in the window, or turned over by snapping
   std::int64_t off_range = 0;  ///< pieces seen edge-on so closely that rounding left them nowhere
   std::int64_t pixels = 0;     ///< covered, nearer or not than what was there
 };
@@ -86,9 +86,10 @@ class SpaceWeights {
   double sum_ = 1;
 };
 
-/// for_each_pixel() for one piece: three corners in front of the eye.
+/// for_each_pixel() for one piece, three corners in front of the eye. `side`: the only one that it
+/// may show, as seen_side() has it, or 0 for either.
 template <class Visit>
-void for_each_pixel_of_piece(const ClipPiece& piece, int width, int height,
+void for_each_pixel_of_piece(const ClipPiece& piece, int side, int width, int height,
                              const TriangleOptions& options, TriangleCounts& counts,
                              Visit&& visit) {
   const std::optional<PieceInWindow> seen = to_window(piece, width, height);
@@ -100,7 +101,8 @@ void for_each_pixel_of_piece(const ClipPiece& piece, int width, int height,
   const std::array<double, 3>& depth = seen->depth;
   const SnappedTriangle snapped = snap(window);
   const std::int64_t area = cross(snapped[0], snapped[1], snapped[2]);  // y down: clockwise is > 0
-  if (area == 0) {
+  const bool turned_over = side != 0 && (area > 0) != (side > 0);
+  if (area == 0 || turned_over) {
     ++counts.no_area;
     return;
   }
@@ -143,9 +145,8 @@ inline bool is_cut(const ClipPolygon& polygon, const ClipTriangle& triangle) {
 
 /// Calls `visit(const TrianglePixel&)` once for every pixel of a width × height picture that the
 /// triangle, its corners in clip space, covers between the near and the far plane. Two triangles
-/// that share an edge cover each pixel along it once, wherever their corners are, but where one
-/// that is not cut is thinner than 1/256 pixel and snapping turns it over: it then lies on its
-/// neighbour (of one that is cut, see cut_outline.h). Corners may be any floats. Of a pixel whose
+/// that share an edge cover each pixel along it once, wherever their corners are; of what is
+/// thinner than 1/256 pixel see cut_outline.h. Corners may be any floats. Of a pixel whose
 /// depth is the far plane's up to rounding, of the largest depth at a corner of what is left of the
 /// triangle, either may be said: the engine rounds differently. `counts` is added to.
 template <class Visit>
@@ -153,6 +154,7 @@ void for_each_pixel(const ClipTriangle& triangle, int width, int height,
                     const TriangleOptions& options, TriangleCounts& counts, Visit&& visit) {
   ++counts.triangles;
   const ClipPolygon polygon = options.clip(triangle, guard_band(width, height));
+  const int side = options.cull == Cull::none ? seen_side(triangle) : 0;
   std::optional<CutOutline> outline;
   if (polygon.empty()) {
     ++counts.outside;
@@ -161,7 +163,7 @@ void for_each_pixel(const ClipTriangle& triangle, int width, int height,
     outline.emplace(triangle, polygon, width, height);
   }
   for (std::size_t i = 0; i + 2 < polygon.size(); ++i) {
-    for_each_pixel_of_piece(piece_of(polygon, i + 1), width, height, options, counts,
+    for_each_pixel_of_piece(piece_of(polygon, i + 1), side, width, height, options, counts,
                             [&](const TrianglePixel& pixel) {
                               if (outline && !outline->gives(pixel.x, pixel.y, i)) return;
                               ++counts.pixels;

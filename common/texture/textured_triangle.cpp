@@ -17,7 +17,7 @@ struct Piece {
   Eigen::Vector3d depth;
   Eigen::Vector3d inverse_w;
   Eigen::Matrix<double, 2, 3> uv;  ///< a column for each corner
-  std::function<bool(int x, int y)> has = [](int, int) { return true; };
+  std::function<bool(int x, int y)> has;
 };
 
 Piece make_piece(const ClipPiece& corners, const Eigen::Matrix<double, 2, 3>& triangle_uv,
@@ -82,11 +82,10 @@ void draw_textured_triangle(const ClipTriangle& corners,
     uv.col(static_cast<Eigen::Index>(i)) = texture_coordinates[i].cast<double>();
   }
   const ClipPolygon polygon = clip_homogeneous(corners, guard_band(frame.width(), frame.height()));
-  const bool cut = !polygon.empty() && is_cut(polygon, corners);
   const CutOutline outline(corners, polygon, frame.width(), frame.height());
   for (std::size_t i = 0; i + 2 < polygon.size(); ++i) {
     Piece piece = make_piece(piece_of(polygon, i + 1), uv, frame);
-    if (cut) piece.has = [&outline, i](int x, int y) { return outline.gives(x, y, i); };
+    piece.has = [&outline, i](int x, int y) { return outline.gives(x, y, i); };
     draw_piece(piece, sampler, rung, frame);
   }
 }

@@ -173,8 +173,9 @@ std::vector<RayCaster::CutCorner> RayCaster::cut(int face) const {
         faces_[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
     polygon.push_back({to_clip_ * corner.homogeneous(), Eigen::Vector3d::Unit(i)});
   }
-  const double guard_x = std::max(32768.0 / width_ - 1, 1.0);
-  const double guard_y = std::max(32768.0 / height_ - 1, 1.0);
+  const auto guard = [](int side) { return std::exp2(std::floor(std::log2(32768.0 / side))); };
+  const double guard_x = guard(width_);
+  const double guard_y = guard(height_);
   for (const Eigen::RowVector4d& plane :
        {Eigen::RowVector4d(0, 0, 1, 1), Eigen::RowVector4d(1, 0, 0, guard_x),
         Eigen::RowVector4d(-1, 0, 0, guard_x), Eigen::RowVector4d(0, 1, 0, guard_y),

@@ -11,6 +11,9 @@ float beyond_near(const Eigen::Vector4f& p) {
   return p.z() + p.w();
 }
 
+// x, y, z, w and the three weights in one row, in double precision.
+using Row = Eigen::Matrix<double, 1, 7>;
+
 ClipPolygon all_of(const ClipTriangle& triangle) {
   ClipPolygon polygon;
   for (int i = 0; i < 3; ++i) {
@@ -49,35 +52,44 @@ ClipPolygon clip_near(const ClipTriangle& triangle, [[maybe_unused]] const Eigen
 }
 
 ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f& guard) {
-  ClipPolygon polygon = all_of(triangle);
+  std::vector<Row> polygon;
+  for (const ClipVertex& corner : all_of(triangle)) {
+    polygon.emplace_back();
+    polygon.back() << corner.position.transpose().cast<double>(),
+        corner.weights.transpose().cast<double>();
+  }
   for (int plane = 0; plane < 5; ++plane) {
-    const auto distance = [&](const ClipVertex& vertex) {
-      const Eigen::Vector4f& p = vertex.position;
+    const auto distance = [&](const Row& p) {
       switch (plane) {
         case 0:
-          return beyond_near(p);
+          return p[2] + p[3];
         case 1:
-          return guard.x() * p.w() + p.x();
+          return double(guard.x()) * p[3] + p[0];
         case 2:
-          return guard.x() * p.w() - p.x();
+          return double(guard.x()) * p[3] - p[0];
         case 3:
-          return guard.y() * p.w() + p.y();
+          return double(guard.y()) * p[3] + p[1];
         default:
-          return guard.y() * p.w() - p.y();
+          return double(guard.y()) * p[3] - p[1];
       }
     };
-    ClipPolygon kept;
+    std::vector<Row> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const ClipVertex &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
-      const float d_here = distance(here), d_next = distance(next);
+      const Row &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
+      const double d_here = distance(here), d_next = distance(next);
       const bool is_in = d_here >= 0, next_is_in = d_next >= 0;
       if (is_in) kept.push_back(here);
-      if (is_in && !next_is_in) kept.push_back(between(here, next, d_here, d_next));
-      if (!is_in && next_is_in) kept.push_back(between(next, here, d_next, d_here));
+      if (is_in && !next_is_in) kept.push_back(here + d_here / (d_here - d_next) * (next - here));
+      if (!is_in && next_is_in) kept.push_back(next + d_next / (d_next - d_here) * (here - next));
     }
     polygon = kept;
   }
-  return polygon;
+  ClipPolygon left;
+  for (const Row& row : polygon) {
+    left.push_back(
+        {row.head<4>().transpose().cast<float>(), row.tail<3>().transpose().cast<float>()});
+  }
+  return left;
 }
 
 }  // namespace rasterlab

@@ -10,30 +10,38 @@
 namespace rasterlab {
 namespace {
 
-float near_distance(const Eigen::Vector4f& p) {
+template <class Point>
+typename Point::Scalar near_distance(const Point& p) {
   return p.z() + p.w();
 }
+
+// What clip_homogeneous cuts, to be rounded when all planes have.
+struct DoubleVertex {
+  Eigen::Vector4d position;
+  Eigen::Vector3d weights;
+};
 
 ClipPolygon corners_of(const ClipTriangle& triangle) {
   const Eigen::Matrix3f unit = Eigen::Matrix3f::Identity();
   return {{triangle[0], unit.col(0)}, {triangle[1], unit.col(1)}, {triangle[2], unit.col(2)}};
 }
 
-ClipVertex meet(const ClipVertex& inner, float d_inner, const ClipVertex& outer, float d_outer) {
-  const float t = d_inner / (d_inner - d_outer);
-  ClipVertex cut = inner;
+template <class Vertex, class Number>
+Vertex meet(const Vertex& inner, Number d_inner, const Vertex& outer, Number d_outer) {
+  const Number t = d_inner / (d_inner - d_outer);
+  Vertex cut = inner;
   cut.position += t * (outer.position - inner.position);
   cut.weights += t * (outer.weights - inner.weights);
   return cut;
 }
 
 template <class Distance>
-void cut_off(ClipPolygon& polygon, Distance distance) {
-  const ClipPolygon before = std::exchange(polygon, {});
+void cut_off(std::vector<DoubleVertex>& polygon, Distance distance) {
+  const std::vector<DoubleVertex> before = std::exchange(polygon, {});
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const ClipVertex& current = before[i];
-    const ClipVertex& next = before[i + 1 < before.size() ? i + 1 : 0];
-    const float d_current = distance(current.position), d_next = distance(next.position);
+    const DoubleVertex& current = before[i];
+    const DoubleVertex& next = before[i + 1 < before.size() ? i + 1 : 0];
+    const double d_current = distance(current.position), d_next = distance(next.position);
     if (d_current >= 0) {
       polygon.push_back(current);
       if (!(d_next >= 0)) polygon.push_back(meet(current, d_current, next, d_next));
@@ -68,14 +76,21 @@ ClipPolygon clip_near(const ClipTriangle& triangle, [[maybe_unused]] const Eigen
 }
 
 ClipPolygon clip_homogeneous(const ClipTriangle& triangle, const Eigen::Vector2f& guard) {
-  ClipPolygon polygon = corners_of(triangle);
-  const float x = guard.x(), y = guard.y();
-  cut_off(polygon, near_distance);
-  cut_off(polygon, [x](const Eigen::Vector4f& p) { return x * p.w() + p.x(); });
-  cut_off(polygon, [x](const Eigen::Vector4f& p) { return x * p.w() - p.x(); });
-  cut_off(polygon, [y](const Eigen::Vector4f& p) { return y * p.w() + p.y(); });
-  cut_off(polygon, [y](const Eigen::Vector4f& p) { return y * p.w() - p.y(); });
-  return polygon;
+  std::vector<DoubleVertex> polygon;
+  for (const ClipVertex& corner : corners_of(triangle)) {
+    polygon.push_back({corner.position.cast<double>(), corner.weights.cast<double>()});
+  }
+  const double x = guard.x(), y = guard.y();
+  cut_off(polygon, near_distance<Eigen::Vector4d>);
+  cut_off(polygon, [x](const Eigen::Vector4d& p) { return x * p.w() + p.x(); });
+  cut_off(polygon, [x](const Eigen::Vector4d& p) { return x * p.w() - p.x(); });
+  cut_off(polygon, [y](const Eigen::Vector4d& p) { return y * p.w() + p.y(); });
+  cut_off(polygon, [y](const Eigen::Vector4d& p) { return y * p.w() - p.y(); });
+  ClipPolygon left;
+  for (const DoubleVertex& vertex : polygon) {
+    left.push_back({vertex.position.cast<float>(), vertex.weights.cast<float>()});
+  }
+  return left;
 }
 
 }  // namespace rasterlab
