@@ -1,4 +1,4 @@
-// Many triangles of one colour, quicker than one by one: given, for stages and benchmarks.
+// Many triangles of one colour, quicker than one by one: given, for who has lists of them.
 #pragma once
 
 #include "common/image/image.h"
@@ -13,7 +13,8 @@ namespace rasterlab {
 
 /// Draws what fill_spans() draws of each triangle, and returns the sum of what that returns. Throws
 /// CheckError for a corner beyond ±2^30 pixels or a coordinate that is not a number; the image is
-/// then drawn in part.
+/// then drawn in part. Triangles may overlap, lie anywhere and have no area. Cost: the rows and
+/// pixels inside the image.
 std::int64_t fill_triangle_list(Image<Rgb8>& image, std::span<const Corners> triangles,
                                 const Rgb8& color);
 
