@@ -183,8 +183,10 @@ std::vector<MakeLadder> ladders() {
   for (const Grid& grid : {Grid{0, 16, 16}, {16000, 16, 16}, {16000, 3, 512}})
     all.emplace_back([grid] { return edge_number_ladder(grid); });
   for (const int area : {10, 100, 1000, 10000}) {
-    for (const std::size_t count : {4096, 10'000'000 / area})
-      all.emplace_back([count, area] { return race_of_lists(count, area); });
+    for (const int count : {4096, 10'000'000 / area}) {
+      all.emplace_back(
+          [count, area] { return race_of_lists(static_cast<std::size_t>(count), area); });
+    }
   }
   for (const int area : {10, 100, 1000, 10000})
     all.emplace_back([area] { return race_of_calls(area); });
