@@ -1,17 +1,29 @@
 #include "common/engine/prepared_mesh.h"
 
+#include "common/engine/thread_team.h"
 #include "common/image/check.h"
 
+#include <bit>
 #include <cmath>
-
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 namespace rasterlab {
 
 namespace {
 
 constexpr std::uint32_t padding = 16;
+/// Triangles that are worth another thread.
+constexpr std::size_t per_part = std::size_t{1} << 16U;
+
+std::size_t part_count(std::size_t triangles) {
+  return (triangles + per_part - 1) / per_part;
+}
+
+/// Calls `work(part)` for each part of so many triangles.
+template <class Work>
+void for_each_part(ThreadTeam& team, std::size_t parts, const Work& work) {
+  team.for_each(static_cast<int>(parts),
+                [&](int part, int) { work(static_cast<std::size_t>(part)); });
+}
 
 void check_indices(const Mesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -54,17 +66,35 @@ Eigen::AlignedBox3f finite_bounds(const Mesh& mesh) {
   return box;
 }
 
+/// By parts, which are merged two by two.
+void sort(ThreadTeam& team, std::vector<std::uint64_t>& keys) {
+  const std::size_t parts = std::bit_ceil(static_cast<std::size_t>(team.size()));
+  const auto border = [&](std::size_t part) {
+    return keys.begin() + static_cast<std::ptrdiff_t>(keys.size() * part / parts);
+  };
+  for_each_part(team, parts, [&](std::size_t i) { std::sort(border(i), border(i + 1)); });
+  for (std::size_t width = 1; width < parts; width *= 2) {
+    for_each_part(team, parts / (2 * width), [&](std::size_t i) {
+      const std::size_t first = 2 * width * i;
+      std::inplace_merge(border(first), border(first + width), border(first + 2 * width));
+    });
+  }
+}
+
 /// Triangles in an order in which neighbours in space are neighbours in the list.
-std::vector<std::uint32_t> spatial_order(const Mesh& mesh) {
+std::vector<std::uint32_t> spatial_order(ThreadTeam& team, const Mesh& mesh) {
   const Eigen::AlignedBox3f box = finite_bounds(mesh);
   std::vector<std::uint64_t> keys(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Eigen::Vector3f middle =
-        (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0F;
-    keys[t] = static_cast<std::uint64_t>(morton_code(middle, box)) << 32U | t;
+  for_each_part(team, part_count(keys.size()), [&](std::size_t part) {
+    const std::size_t end = std::min((part + 1) * per_part, keys.size());
+    for (std::size_t t = part * per_part; t < end; ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const Eigen::Vector3f middle =
+          (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0F;
+      keys[t] = static_cast<std::uint64_t>(morton_code(middle, box)) << 32U | t;
+    }
   });
-  tbb::parallel_sort(keys.begin(), keys.end());
+  sort(team, keys);
   std::vector<std::uint32_t> order(keys.size());
   std::transform(keys.begin(), keys.end(), order.begin(),
                  [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
@@ -277,7 +307,7 @@ void copy_part(const Clusters& part, const Offsets& offsets, Clusters& whole) {
 }
 
 /// Empties `parts`.
-Clusters join(std::vector<Clusters>& parts) {
+Clusters join(ThreadTeam& team, std::vector<Clusters>& parts) {
   std::vector<Offsets> begin;
   Offsets size;
   for (const Clusters& part : parts) {
@@ -295,7 +325,7 @@ Clusters join(std::vector<Clusters>& parts) {
   for_each_vertex_array(whole, whole, resize_to(size.vertex));
   for_each_triangle_array(whole, whole, resize_to(size.triangle));
   whole.list.resize(size.cluster);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  for_each_part(team, parts.size(), [&](std::size_t i) {
     copy_part(parts[i], begin[i], whole);
     parts[i] = {};
   });
@@ -304,16 +334,18 @@ Clusters join(std::vector<Clusters>& parts) {
 
 /// The same whatever the number of threads.
 Clusters make_clusters(const Mesh& mesh) {
-  constexpr std::size_t per_part = std::size_t{1} << 16U;
-  const std::vector<std::uint32_t> order = spatial_order(mesh);
-  std::vector<Clusters> parts((order.size() + per_part - 1) / per_part);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  const std::size_t part_total = part_count(mesh.triangles.size());
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  ThreadTeam team(static_cast<int>(std::clamp(part_total, std::size_t{1}, cores)));
+  const std::vector<std::uint32_t> order = spatial_order(team, mesh);
+  std::vector<Clusters> parts(part_total);
+  for_each_part(team, parts.size(), [&](std::size_t i) {
     ClusterBuilder builder(mesh);
     const std::size_t end = std::min((i + 1) * per_part, order.size());
     for (std::size_t t = i * per_part; t < end; ++t) builder.add(order[t]);
     parts[i] = builder.take();
   });
-  return join(parts);
+  return join(team, parts);
 }
 
 }  // namespace

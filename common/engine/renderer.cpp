@@ -2,23 +2,13 @@
 
 #include "common/engine/compiled_simd_targets.h"
 #include "common/engine/kernels.h"
+#include "common/engine/thread_team.h"
 #include "common/image/check.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <chrono>
 #include <numeric>
-#include <thread>
-
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
-
-#if defined(__linux__)
-#include <sched.h>
-#endif
 
 namespace rasterlab {
 
@@ -47,76 +37,26 @@ int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-#if defined(__linux__)
-/// Keeps each thread of an arena on a core of its own; gives the calling thread its cores back.
-class Pinning : public tbb::task_scheduler_observer {
- public:
-  explicit Pinning(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
-    sched_getaffinity(0, sizeof(allowed_), &allowed_);
-    observe(true);
-  }
-  ~Pinning() override { observe(false); }
-
-  void on_scheduler_entry(bool) override {
-    const int slot = tbb::this_task_arena::current_thread_index();
-    int seen = 0;
-    for (int core = 0; core < CPU_SETSIZE; ++core) {
-      if (!CPU_ISSET(core, &allowed_) || seen++ != slot % CPU_COUNT(&allowed_)) continue;
-      cpu_set_t one;
-      CPU_ZERO(&one);
-      CPU_SET(core, &one);
-      sched_setaffinity(0, sizeof(one), &one);
-    }
-  }
-  void on_scheduler_exit(bool) override { sched_setaffinity(0, sizeof(allowed_), &allowed_); }
-
- private:
-  cpu_set_t allowed_;
-};
-#endif
-
 }  // namespace
 
 /// The threads, and what each has of its own.
 class Renderer::Threads {
  public:
   explicit Threads(const EngineOptions& options)
-      : workers(static_cast<std::size_t>(thread_count(options.threads))),
-        limit_(tbb::global_control::max_allowed_parallelism,
-               std::max(workers.size(), std::size_t{std::thread::hardware_concurrency()})),
-        arena_(static_cast<int>(workers.size())) {
-#if defined(__linux__)
-    if (options.pin_threads) pinning_ = std::make_unique<Pinning>(arena_);
-#endif
-  }
-
-  /// Calls `work`, which may call for_each(), on the threads' own ground. Once a draw call: to come
-  /// and go costs system calls when threads are kept on their cores.
-  template <class Work>
-  void run(const Work& work) {
-    arena_.execute(work);
-  }
+      : team(thread_count(options.threads), options.pin_threads),
+        workers(static_cast<std::size_t>(team.size())) {}
 
   /// Calls `work(item, worker)` for items 0 … count − 1 in no order; a worker has one caller at a
   /// time.
   template <class Work>
   void for_each(int count, const Work& work) {
-    std::atomic<int> next = 0;
-    const auto work_off = [&](std::size_t w) {
-      for (int item = next++; item < count; item = next++) work(item, workers[w]);
-    };
-    if (workers.size() == 1 || count == 1) return work_off(0);
-    tbb::parallel_for(std::size_t{0}, workers.size(), work_off, tbb::static_partitioner());
+    team.for_each(count, [&](int item, int member) {
+      work(item, workers[static_cast<std::size_t>(member)]);
+    });
   }
 
+  ThreadTeam team;
   std::vector<Worker> workers;
-
- private:
-  tbb::global_control limit_;  ///< more threads than cores, if so asked
-  tbb::task_arena arena_;
-#if defined(__linux__)
-  std::unique_ptr<Pinning> pinning_;
-#endif
 };
 
 namespace {
@@ -285,8 +225,9 @@ Statistics Renderer::draw(const DrawCall& call, Framebuffer& frame) {
                        access};
   for (Worker& worker : threads_->workers) worker.statistics = {};
   if (frame.width() > 0 && frame.height() > 0) {
-    Drawing drawing(job, kernels_for(options_.simd), *threads_);
-    threads_->run([&] { drawing.run(); });
+    std::optional<StayOnCore> on_core;
+    threads_->team.stay(on_core);
+    Drawing(job, kernels_for(options_.simd), *threads_).run();
   }
   Statistics total;
   for (const Worker& worker : threads_->workers) total += worker.statistics;
