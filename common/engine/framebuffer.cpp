@@ -3,6 +3,8 @@
 #include "common/engine/frame_access.h"
 #include "common/image/check.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace rasterlab {
@@ -52,9 +54,12 @@ void Framebuffer::clear(const Rgb8& background) {
 void Framebuffer::fill_background(int tile) const {
   const int left = tile % tiles_x_ * tile_size_;
   const int top = tile / tiles_x_ * tile_size_;
-  const int right = std::min(left + tile_size_, width_);
+  const int columns = std::min(tile_size_, width_ - left);
+  // Copied whole: a compiler writes pixels of three bytes one by one.
+  std::array<Rgb8, 64> row;
+  std::fill_n(row.begin(), columns, background_);
   for (int y = top; y < std::min(top + tile_size_, height_); ++y) {
-    std::fill(color_.row(y) + left, color_.row(y) + right, background_);
+    std::copy_n(row.begin(), columns, color_.row(y) + left);
   }
   has_color_[static_cast<std::size_t>(tile)] = FrameAccess::background;
 }
