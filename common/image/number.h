@@ -92,6 +92,13 @@ inline Vector3<float> gather_texel(const std::uint32_t* texels, std::int32_t ind
           static_cast<float>(texel >> 16U & 255U)};
 }
 
+/// The same of four indices, each of which is one or one per lane.
+template <class Index>
+auto gather_texels(const std::uint32_t* texels, const std::array<Index, 4>& index) {
+  return std::array{gather_texel(texels, index[0]), gather_texel(texels, index[1]),
+                    gather_texel(texels, index[2]), gather_texel(texels, index[3])};
+}
+
 /// Red in the lowest byte, then green, then blue: what a SIMD gather of 32 bits can fetch at once.
 inline std::uint32_t pack_texel(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
   return static_cast<std::uint32_t>(red) | static_cast<std::uint32_t>(green) << 8U |

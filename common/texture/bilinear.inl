@@ -12,10 +12,10 @@ Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vecto
   const auto level = texture.level(level_index);
   const auto column = texel_pair(uv.x(), level.width, wrap);
   const auto row = texel_pair(uv.y(), level.height, wrap);
-  const Vector3<Number> lower = blend(texture.texel(level, column.first, row.first),
-                                      texture.texel(level, column.second, row.first), column.part);
-  const Vector3<Number> upper = blend(texture.texel(level, column.first, row.second),
-                                      texture.texel(level, column.second, row.second), column.part);
+  const std::array<Vector3<Number>, 4> texels =
+      texture.texels(level, column.first, column.second, row.first, row.second);
+  const Vector3<Number> lower = blend(texels[0], texels[1], column.part);
+  const Vector3<Number> upper = blend(texels[2], texels[3], column.part);
   return blend(lower, upper, row.part) / Number(255);
   // <starter> throw NotWritten("06.4", texture, wrap, uv, level_index);
   // </solution>

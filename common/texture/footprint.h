@@ -31,6 +31,7 @@ Number squared_length(const Vector2<Number>& vector) {
 /// within the texture's levels. Up to one texel and NaN: level 0.
 template <class Number>
 Number level_of_squared(const Texture& texture, const Number& squared_texels) {
+  if (!any(squared_texels > Number(1))) return Number(0);
   const Number level = Number(0.5F) * log_2(maximum(squared_texels, Number(1)));
   return minimum(level, Number(static_cast<float>(texture.level_count() - 1)));
 }

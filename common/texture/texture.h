@@ -57,6 +57,18 @@ class Texture {
                         level.first + to_whole(row) * level.stride + to_whole(column));
   }
 
+  /// Four texels of a level: in columns `left` and `right` of row `low`, then of row `high`.
+  template <class Number>
+  std::array<Vector3<Number>, 4> texels(const Level<Number>& level, const Number& left,
+                                        const Number& right, const Number& low,
+                                        const Number& high) const {
+    const Whole<Number> first = level.first + to_whole(low) * level.stride;
+    const Whole<Number> second = level.first + to_whole(high) * level.stride;
+    return gather_texels(texels_.data(), std::array<Whole<Number>, 4>{
+                                             first + to_whole(left), first + to_whole(right),
+                                             second + to_whole(left), second + to_whole(right)});
+  }
+
  private:
   void append_level(const Image<Color>& codes);
 
