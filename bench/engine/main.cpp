@@ -192,7 +192,7 @@ class Bench {
     draw_peer();
     if (peer_) compare(*ours_, *peer_, scene, kind, result);
     const int least = settings_.repeat > 0 ? settings_.repeat : settings_.quick ? 5 : 15;
-    const double most_ms = settings_.repeat > 0 ? 0 : settings_.quick ? 600 : 3000;
+    const double most_ms = settings_.repeat > 0 ? 0 : settings_.quick ? 400 : 3000;
     double spent = 0;
     for (int i = 0; i < least || (spent < most_ms && i < 60); ++i) {
       add(time_of(draw_ours), result.ours, result.ours_cpu);
