@@ -7,7 +7,7 @@
 namespace rasterlab {
 
 Facing facing(const std::array<Eigen::Vector4f, 3>& clip, bool mirrored) {
-  const auto& [a, b, c] = clip;
+  const Eigen::Vector4f &a = clip[0], &b = clip[1], &c = clip[2];
   const auto minor = [&](int row, int other) {
     return double(b[row]) * double(c[other]) - double(b[other]) * double(c[row]);
   };

@@ -18,8 +18,8 @@ const Point& LineDiscrete::operator[](std::size_t index) const {
 }
 
 std::ostream& operator<<(std::ostream& out, const LineDiscrete& line) {
-  for (std::size_t i = 0; i < line.size(); i++) {
-    out << "(" << line[i].x() << "," << line[i].y() << ")";
+  for (auto pixel = line.begin(); pixel != line.end(); ++pixel) {
+    out << "(" << pixel->x() << "," << pixel->y() << ")";
   }
   return out;
 }

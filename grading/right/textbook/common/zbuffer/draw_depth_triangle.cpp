@@ -8,7 +8,7 @@ namespace rasterlab {
 
 void draw_depth_triangle(Image<Rgb8>& image, DepthBuffer& depth,
                          const std::array<DepthCorner, 3>& corners) {
-  const auto& [a, b, c] = corners;
+  const DepthCorner &a = corners[0], &b = corners[1], &c = corners[2];
   const double z_b = double(b.z) - a.z, z_c = double(c.z) - a.z;
   const auto visit = [&](int x, int y, const Eigen::Vector3d& w) {
     const auto to_b = static_cast<float>(w[1]), to_c = static_cast<float>(w[2]);
