@@ -9,8 +9,7 @@ namespace rasterlab {
 
 void draw_line(Image<Rgb8>& image, const Point& p0, const Point& p1, const Rgb8& color) {
   const LineDiscrete line = line_all_octants(p0, p1);
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const Point& pixel = line[i];
+  for (const Point& pixel : line) {
     if (image.contains(pixel.x(), pixel.y())) image(pixel.x(), pixel.y()) = color;
   }
 }

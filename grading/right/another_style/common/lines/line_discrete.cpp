@@ -3,6 +3,7 @@
 
 #include "common/image/check.h"
 
+#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -21,9 +22,8 @@ const Point& LineDiscrete::operator[](std::size_t index) const {
 }
 
 std::ostream& operator<<(std::ostream& out, const LineDiscrete& line) {
-  for (auto pixel = line.begin(); pixel != line.end(); ++pixel) {
-    out << "(" << (*pixel)[0] << "," << (*pixel)[1] << ")";
-  }
+  std::for_each(line.begin(), line.end(),
+                [&](const Point& pixel) { out << "(" << pixel[0] << "," << pixel[1] << ")"; });
   return out;
 }
 

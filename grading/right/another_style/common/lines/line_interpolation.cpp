@@ -20,8 +20,8 @@ LineInterpolation::LineInterpolation(const LineDiscrete& pixels, const Point& p0
     return dx * dx + dy * dy;
   };
   const double whole = squared(p1);
-  for (auto pixel = pixels.begin(); pixel != pixels.end(); ++pixel) {
-    weights_.push_back(whole == 0 ? 0 : std::sqrt(squared(*pixel) / whole));
+  for (const Point& pixel : pixels) {
+    weights_.push_back(whole == 0 ? 0 : std::sqrt(squared(pixel) / whole));
   }
 }
 

@@ -18,9 +18,7 @@ const Point& LineDiscrete::operator[](std::size_t index) const {
 }
 
 std::ostream& operator<<(std::ostream& out, const LineDiscrete& line) {
-  for (auto pixel = line.begin(); pixel != line.end(); ++pixel) {
-    out << "(" << pixel->x() << "," << pixel->y() << ")";
-  }
+  for (const Point& pixel : line) out << "(" << pixel.x() << "," << pixel.y() << ")";
   return out;
 }
 
