@@ -23,6 +23,7 @@ figure img { width: 256px; image-rendering: pixelated; border: 1px solid #8888; 
 .swap { position: relative; } .swap img + img { position: absolute; inset: 0; opacity: 0; }
 .swap:hover img + img, .swap:focus img + img { opacity: 1; }
 .mistake { border-left: 4px solid #bf8700; padding: .2rem .8rem; background: #bf870018; }
+.column { background: #0969da; width: .7rem; min-height: 1px; display: inline-block; margin-right: 2px; }
 .bar { background: #0969da; height: .8rem; display: inline-block; border-radius: 2px; }
 """
 
@@ -162,10 +163,21 @@ def _grader_failures(records: list[Record]) -> str:
             f"run the same command again.</p>\n<table>\n{rows}</table>\n")
 
 
+def _columns(shares: list[float]) -> str:
+    """How many answers got each fifth of the points, a column for each; all of them are in the last."""
+    counts = [0] * 5
+    for share in shares:
+        counts[min(int(share * 5), 4)] += 1
+    return "".join(
+        f'<span class="column" style="height:{1.2 * count / max(counts):.2f}rem" '
+        f'title="{20 * fifth} to {20 * fifth + 20} %: {count}"></span>'
+        for fifth, count in enumerate(counts)) if shares else ""
+
+
 def _distribution(records: list[Record]) -> str:
     verdicts: dict[str, collections.Counter[str]] = {}
     titles: dict[str, str] = {}
-    means: dict[str, list[float]] = collections.defaultdict(list)
+    shares: dict[str, list[float]] = collections.defaultdict(list)
     for record in records:
         for entry in record.exercises:
             if entry["verdict"] == "by hand":
@@ -173,17 +185,17 @@ def _distribution(records: list[Record]) -> str:
             titles[entry["id"]] = entry["title"]
             verdicts.setdefault(entry["id"], collections.Counter())[entry["verdict"]] += 1
             if entry["score"] is not None and entry["max_score"]:
-                means[entry["id"]].append(entry["score"] / entry["max_score"])
+                shares[entry["id"]].append(entry["score"] / entry["max_score"])
     rows = ""
     for exercise, counts in verdicts.items():
-        share = sum(means[exercise]) / len(means[exercise]) if means[exercise] else 0.0
+        share = sum(shares[exercise]) / len(shares[exercise]) if shares[exercise] else 0.0
         right_first = sorted(counts.items(), key=lambda item: (item[0] != "right", -item[1]))
         spread = ", ".join(f"{count} {html.escape(verdict)}" for verdict, count in right_first)
         rows += (f"<tr><td>{html.escape(exercise)}</td><td>{html.escape(titles[exercise])}</td>"
                  f'<td><span class="bar" style="width:{share * 8:.2f}rem"></span> {share:.0%}</td>'
-                 f"<td>{spread}</td></tr>\n")
+                 f"<td>{_columns(shares[exercise])}</td><td>{spread}</td></tr>\n")
     return ("<h2>Each exercise</h2>\n<table>\n<tr><th></th><th>exercise</th><th>mean of the points</th>"
-            f"<th>verdicts</th></tr>\n{rows}</table>\n")
+            f"<th>from none to all</th><th>verdicts</th></tr>\n{rows}</table>\n")
 
 
 def _commonest_mistakes(records: list[Record]) -> str:

@@ -37,6 +37,13 @@ def test_html_escapes_everything() -> None:
         assert "default-src 'none'" in page
 
 
+def test_class_page_counts_the_answers_that_got_each_fifth_of_the_points() -> None:
+    page = html.class_page([record(entry("01.5", "wrong", score)) for score in (0.0, 0.5, 1.0, 3.0, 3.0)])
+    counts = [f'title="{20 * fifth} to {20 * fifth + 20} %: {count}"' for fifth, count in enumerate((2, 1, 0, 0, 2))]
+    assert all(count in page for count in counts)
+    assert page.count('class="column"') == 5
+
+
 def test_hidden_scene_is_pass_or_fail_only() -> None:
     one = entry("01.5", "wrong", 1.0)
     one["scenes"][1]["verdict"] = "crash"
