@@ -21,13 +21,13 @@ int seen_side(const ClipTriangle& triangle);
 /// The snapped outline of what clipping has left of a triangle.
 ///
 /// A pixel is the triangle's where the outline winds round its centre the way the triangle is seen.
-/// Where the outline winds the other way, or there and back, it is not. Windings
-/// add up: along the edges of neighbours what the one's winds the other's unwinds. So of triangles
-/// that share edges one at least has each pixel that their common outline winds round, and only
-/// one, unless a third at that very pixel is turned over.
+/// Where the outline winds the other way, or there and back, it is not. Windings add up: along the
+/// edges of neighbours what the one's winds the other's unwinds. So of triangles that share edges
+/// one at least has each pixel that their common outline winds round, and only one, unless a third
+/// at that very pixel is turned over.
 ///
-/// Where one side is culled, it is culled as it lies, if the triangle is not cut: then a closed
-/// mesh has the same pixels without its back faces, up to its outline's last one.
+/// Where one side is culled, a triangle that is not cut shows the side on which it lies, turned
+/// over or not: so leaving out its back faces takes no pixel from a closed mesh.
 ///
 /// Of a triangle in whose plane the eye is the side counts that shows the larger area after
 /// snapping.
