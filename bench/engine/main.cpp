@@ -157,10 +157,9 @@ class Bench {
   }
 
   std::vector<Result> run() {
-    const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
     for (const SceneEntry& entry : scenes()) {
       if (!settings_.scene.empty() && entry.name != settings_.scene) continue;
-      const Scene scene = entry.make(aspect);
+      const Scene scene = entry.make({settings_.width, settings_.height});
       const double prepare = time_of([&] { ours_->load(scene); }).wall;
       if (peer_) peer_->load(scene);
       for (const ShadingKind kind : scene.shadings) {

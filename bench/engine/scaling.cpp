@@ -62,7 +62,6 @@ struct Cost {
 
 constexpr int width = 1920;
 constexpr int height = 1080;
-constexpr float aspect = static_cast<float>(width) / height;
 
 /// Everything needed to draw a scene over and over.
 class Drawing {
@@ -121,7 +120,7 @@ std::array<Cost, 2> medians(Drawing& first, Drawing& second) {
 
 Scene scene_named(const std::string& name) {
   for (const SceneEntry& entry : scenes()) {
-    if (entry.name == name) return entry.make(aspect);
+    if (entry.name == name) return entry.make({width, height});
   }
   throw std::runtime_error("no scene " + name);
 }

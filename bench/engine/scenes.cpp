@@ -5,6 +5,8 @@
 #include "common/mesh/shapes.h"
 #include "common/stage/given_files.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -65,12 +67,13 @@ std::vector<Eigen::Vector3f> make_tangents(const Mesh& mesh) {
 }
 
 Scene make_scene(std::string name, Mesh mesh, const Eigen::Vector3f& eye,
-                 const Eigen::Vector3f& center, float aspect, std::vector<ShadingKind> shadings) {
+                 const Eigen::Vector3f& center, PictureSize size,
+                 std::vector<ShadingKind> shadings) {
   std::vector<Eigen::Vector3f> tangents = make_tangents(mesh);
   return {std::move(name),
           std::move(mesh),
           std::move(tangents),
-          perspective(aspect) * look_from(eye, center),
+          perspective(size.aspect()) * look_from(eye, center),
           eye,
           std::move(shadings)};
 }
@@ -86,24 +89,24 @@ void append(Mesh& mesh, const Mesh& part, const Eigen::Vector3f& at, float scale
   }
 }
 
-Scene planet(float aspect) {
-  return make_scene("planet", make_shape("uv_sphere", 25), {0, 0, 1.9F}, {0, 0, 0}, aspect,
+Scene planet(PictureSize size) {
+  return make_scene("planet", make_shape("uv_sphere", 25), {0, 0, 1.9F}, {0, 0, 0}, size,
                     every_shading);
 }
 
-Scene bunny(float aspect) {
+Scene bunny(PictureSize size) {
   Mesh mesh = read_mesh(bunny_path());
   mesh.texture_coordinates.clear();
   mesh.normals = angle_weighted_normals(mesh);
   const Eigen::AlignedBox3f box = bounding_box(mesh);
   const Eigen::Vector3f center = box.center();
-  const float size = box.sizes().maxCoeff();
-  for (Eigen::Vector3f& p : mesh.positions) p = (p - center) / size * 2.0F;
-  return make_scene("bunny", std::move(mesh), {0, 0.2F, 2.3F}, {0, 0, 0}, aspect, untextured);
+  const float extent = box.sizes().maxCoeff();
+  for (Eigen::Vector3f& p : mesh.positions) p = (p - center) / extent * 2.0F;
+  return make_scene("bunny", std::move(mesh), {0, 0.2F, 2.3F}, {0, 0, 0}, size, untextured);
 }
 
-Scene sphere(float aspect) {
-  return make_scene("sphere 1M", make_shape("uv_sphere", 500), {0, 0.4F, 2.1F}, {0, 0, 0}, aspect,
+Scene sphere(PictureSize size) {
+  return make_scene("sphere 1M", make_shape("uv_sphere", 500), {0, 0.4F, 2.1F}, {0, 0, 0}, size,
                     every_shading);
 }
 
@@ -121,13 +124,13 @@ Mesh rings(bool far_to_near) {
   return mesh;
 }
 
-Scene tori(float aspect, bool far_to_near) {
+Scene tori(PictureSize size, bool far_to_near) {
   return make_scene(far_to_near ? "tori far to near" : "tori near to far", rings(far_to_near),
-                    {0.2F, 0.3F, 4.4F}, {0.5F, 0.2F, -4.5F}, aspect, every_shading);
+                    {0.2F, 0.3F, 4.4F}, {0.5F, 0.2F, -4.5F}, size, every_shading);
 }
 
 /// 50 squares that fill the view.
-Scene quads(float aspect, bool back_to_front) {
+Scene quads(PictureSize size, bool back_to_front) {
   const Mesh wall = make_shape("wall", 1);
   Mesh mesh;
   for (int i = 0; i < 50; ++i) {
@@ -135,10 +138,10 @@ Scene quads(float aspect, bool back_to_front) {
     append(mesh, wall, {0, 0, 0.02F * static_cast<float>(layer) - 3}, 6);
   }
   return make_scene(back_to_front ? "quads back to front" : "quads front to back", std::move(mesh),
-                    {0, 0, 0}, {0, 0, -1}, aspect, every_shading);
+                    {0, 0, 0}, {0, 0, -1}, size, every_shading);
 }
 
-Scene displaced_sphere(float aspect) {
+Scene displaced_sphere(PictureSize size) {
   Mesh mesh = make_shape("uv_sphere", 1415);
   for (Eigen::Vector3f& p : mesh.positions) {
     const float bumps = std::sin(9 * p.x()) * std::sin(11 * p.y()) * std::sin(10 * p.z()) +
@@ -146,31 +149,53 @@ Scene displaced_sphere(float aspect) {
     p *= 1 + 0.05F * bumps;
   }
   mesh.normals = angle_weighted_normals(mesh);
-  return make_scene("sphere 8M", std::move(mesh), {0, 0.4F, 2.2F}, {0, 0, 0}, aspect,
-                    every_shading);
+  return make_scene("sphere 8M", std::move(mesh), {0, 0.4F, 2.2F}, {0, 0, 0}, size, every_shading);
+}
+
+/// The point as far away as `p` that is seen at the whole 1/256 pixel nearest to where `p` is.
+Eigen::Vector3f on_grid(const Eigen::Vector3f& p, const Eigen::Matrix4d& matrix, PictureSize size) {
+  Eigen::Vector4d clip = matrix * p.cast<double>().homogeneous();
+  const Eigen::Array2d units = Eigen::Array2d(size.width, size.height) * 128;
+  clip.head<2>() = (clip.head<2>().array() / clip.w() * units).round() / units * clip.w();
+  return (matrix.inverse() * clip).hnormalized().cast<float>();
 }
 
 /// Needles of any length and direction, a few hundredths of a pixel to a pixel thin.
-Scene slivers(float aspect) {
+///
+/// Where each renderer's own rounding would decide which triangle it draws, pictures could not be
+/// compared: of so thin a triangle another corner is another outline. So corners are seen at whole
+/// 1/256 pixels, never near the middle between two; and inside the picture, at whose border
+/// llvmpipe cuts triangles and rounds again.
+Scene slivers(PictureSize size) {
+  const Eigen::Vector3f eye(0, 0, 2);
+  const Eigen::Matrix4d matrix =
+      (perspective(size.aspect()) * look_from(eye, {0, 0, 0})).cast<double>();
+  const auto in_view = [&matrix](const Eigen::Vector3f& p) {
+    const Eigen::Vector4d clip = matrix * p.cast<double>().homogeneous();
+    return clip.head<2>().cwiseAbs().maxCoeff() < clip.w();
+  };
   std::mt19937 random(7);
   const auto number = [&random](float low, float high) {
     return low + (high - low) * static_cast<float>(random() >> 8U) / 16777216.0F;
   };
   Mesh mesh;
-  for (std::uint32_t i = 0; i < 100000; ++i) {
+  while (mesh.triangles.size() < 100000) {
     const Eigen::Vector3f from(number(-1.7F, 1.7F), number(-1, 1), number(-1, 0));
     const float angle = number(0, 2 * std::numbers::pi_v<float>);
     const Eigen::Vector3f along(std::cos(angle), std::sin(angle), number(-0.2F, 0.2F));
     const Eigen::Vector3f across(-along.y(), along.x(), 0);
     const float length = number(0.01F, 0.6F);
     const float width = number(0.0001F, 0.002F);
-    const Eigen::Vector3f to = from + length * along;
-    mesh.positions.insert(mesh.positions.end(), {from, to, from + width * across});
+    std::array<Eigen::Vector3f, 3> corners = {from, from + length * along, from + width * across};
+    if (!std::all_of(corners.begin(), corners.end(), in_view)) continue;
+    for (Eigen::Vector3f& p : corners) p = on_grid(p, matrix, size);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
     mesh.normals.insert(mesh.normals.end(), 3,
                         Eigen::Vector3f(across.x(), across.y(), 1).normalized());
-    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    mesh.triangles.push_back({first, first + 1, first + 2});
   }
-  return make_scene("slivers", std::move(mesh), {0, 0, 2}, {0, 0, 0}, aspect, untextured);
+  return make_scene("slivers", std::move(mesh), eye, {0, 0, 0}, size, untextured);
 }
 
 }  // namespace
@@ -196,17 +221,17 @@ const std::vector<SceneEntry>& scenes() {
       {"planet", &planet},
       {"bunny", &bunny},
       {"sphere 1M", &sphere},
-      {"tori far to near", [](float aspect) { return tori(aspect, true); }},
-      {"tori near to far", [](float aspect) { return tori(aspect, false); }},
-      {"quads back to front", [](float aspect) { return quads(aspect, true); }},
-      {"quads front to back", [](float aspect) { return quads(aspect, false); }},
+      {"tori far to near", [](PictureSize size) { return tori(size, true); }},
+      {"tori near to far", [](PictureSize size) { return tori(size, false); }},
+      {"quads back to front", [](PictureSize size) { return quads(size, true); }},
+      {"quads front to back", [](PictureSize size) { return quads(size, false); }},
       {"sphere 8M", &displaced_sphere},
       {"slivers", &slivers}};
   return all;
 }
 
-Scene tori_around_the_eye(float aspect) {
-  return make_scene("tori around the eye", rings(true), {0, 0, 0}, {0.5F, 0.2F, -1}, aspect,
+Scene tori_around_the_eye(PictureSize size) {
+  return make_scene("tori around the eye", rings(true), {0, 0, 0}, {0.5F, 0.2F, -1}, size,
                     every_shading);
 }
 

@@ -26,16 +26,24 @@ struct Scene {
   std::vector<ShadingKind> shadings;
 };
 
+/// Of the picture that a scene is made for.
+struct PictureSize {
+  int width;
+  int height;
+
+  float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
+};
+
 /// A scene, made when its turn comes: some are large.
 struct SceneEntry {
   std::string name;
-  std::function<Scene(float aspect)> make;
+  std::function<Scene(PictureSize size)> make;
 };
 
 const std::vector<SceneEntry>& scenes();
 
 /// Not one of them: the rings seen from their midst, so that most lie outside the view.
-Scene tori_around_the_eye(float aspect);
+Scene tori_around_the_eye(PictureSize size);
 
 Image<Rgb8> make_texture(int size);
 Image<Rgb8> make_normal_map(int size);

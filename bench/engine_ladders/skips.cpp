@@ -95,7 +95,7 @@ std::vector<SceneEntry> skip_scenes() {
 }
 
 TimedLadder skip_ladder(const SceneEntry& entry) {
-  const auto scene = std::make_shared<const Scene>(entry.make(static_cast<float>(width) / height));
+  const auto scene = std::make_shared<const Scene>(entry.make({width, height}));
   const auto mesh = std::make_shared<const PreparedMesh>(scene->mesh);
   TimedLadder ladder{.name = "skipping, " + entry.name,
                      .stage = "engine",
