@@ -11,7 +11,8 @@
 namespace rasterlab {
 
 /// Draws the pixels of line_bresenham(p0, p1) that are inside the image, exactly those, straight
-/// into it. Coordinates to ±2^30; throws CheckError beyond. Cost: what is outside the image costs
+/// into it; of two equally near pixels the one that the finished line_bresenham() takes. Returns
+/// how many. Coordinates to ±2^30; throws CheckError beyond. Cost: what is outside the image costs
 /// nothing.
 std::int64_t draw_line_runs(Image<Rgb8>& image, const Point& p0, const Point& p1,
                             const Rgb8& color);

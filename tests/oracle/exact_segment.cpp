@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <sstream>
 
 namespace rasterlab::oracle {
@@ -41,6 +42,12 @@ long double ExactSegment::distance(const Eigen::Vector2i& pixel) const {
   if (major_ == 0) return static_cast<long double>(off.cwiseAbs().maxCoeff());
   const Int128 cross = Int128{way_.x()} * off.y() - Int128{way_.y()} * off.x();
   return static_cast<long double>(cross < 0 ? -cross : cross) / static_cast<long double>(major_);
+}
+
+bool ExactSegment::has_ties() const {
+  // Step k is half a row off where 2 k · minor is an odd multiple of the steps.
+  const std::int64_t minor = std::abs(way_[1 - major_axis_]);
+  return major_ != 0 && major_ / std::gcd(major_, minor) % 2 == 0;
 }
 
 std::string line_mistake(const std::vector<Eigen::Vector2i>& pixels, const Eigen::Vector2i& p0,

@@ -27,6 +27,9 @@ class ExactSegment {
   /// Its distance from the segment along the minor axis.
   long double distance(const Eigen::Vector2i& pixel) const;
 
+  /// Whether two pixels are equally near at some step, so that right answers may differ.
+  bool has_ties() const;
+
   /// 0 where the segment is not steep (|dx| ≥ |dy|), else 1.
   int major_axis() const { return major_axis_; }
 

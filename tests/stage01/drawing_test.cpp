@@ -19,6 +19,7 @@
 #include "tests/oracle/exact_segment.h"
 #include "tests/support/picture_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -205,17 +206,46 @@ TEST(stage01_draw_line, the_check_finds_each_mistake) {
 
 // The quick lines
 
+/// The pixels that draw_line_runs() promises in an image, each by its own division in 128 bits.
+Image<Rgb8> exactly_drawn(const Point& p0, const Point& p1, int width, int height) {
+  __extension__ using Int128 = __int128;
+  const Eigen::Matrix<std::int64_t, 2, 1> way = p1.cast<std::int64_t>() - p0.cast<std::int64_t>();
+  const int axis = std::abs(way.y()) > std::abs(way.x()) ? 1 : 0;
+  const Point& from = way[axis] < 0 ? p1 : p0;
+  const Int128 major = std::abs(way[axis]);
+  const Int128 minor = std::abs(way[1 - axis]);
+  const int direction = (way[axis] < 0) != (way[1 - axis] < 0) ? -1 : 1;
+  Image<Rgb8> image(width, height);
+  for (int place = 0; place < (axis == 0 ? width : height); ++place) {
+    const Int128 step = Int128{place} - from[axis];
+    if (step < 0 || step > major) continue;
+    const Int128 offset = major == 0 ? 0 : (2 * step * minor + major) / (2 * major);
+    const auto across = static_cast<int>(from[1 - axis] + direction * offset);
+    const Point pixel = axis == 0 ? Point(place, across) : Point(across, place);
+    if (image.contains(pixel.x(), pixel.y())) image(pixel.x(), pixel.y()) = white;
+  }
+  return image;
+}
+
+/// Exactly what is promised, which is what the last rung has wherever that has no choice.
+void expect_drawn_by_runs(const Point& p0, const Point& p1, int width, int height) {
+  SCOPED_TRACE(testing::Message() << "(" << p0.transpose() << ") to (" << p1.transpose() << ")");
+  Image<Rgb8> image(width, height);
+  const std::int64_t count = draw_line_runs(image, p0, p1, white);
+  ASSERT_EQ(image, exactly_drawn(p0, p1, width, height));
+  ASSERT_EQ(count, std::ranges::count(image.pixels(), white));
+  if (oracle::ExactSegment(p0, p1).has_ties()) return;
+  Image<Rgb8> last_rung(width, height);
+  draw_pixels(last_rung, line_bresenham(p0, p1), white);
+  ASSERT_EQ(image, last_rung);
+}
+
 TEST(stage01_draw_line_runs, are_the_pixels_of_the_last_rung) {
   for (const int reach : {5, 40, 300, 5000}) {
     for (const Segment& segment : random_segments(reach < 1000 ? 1500 : 100, reach)) {
       for (const Point& corner : {Point(0, 0), Point(-12, -9)}) {
-        const Point p0 = segment.p0 - corner;
-        const Point p1 = segment.p1 - corner;
-        Image<Rgb8> image(25, 19, Rgb8{7, 7, 7});
-        const std::int64_t count = draw_line_runs(image, p0, p1, Rgb8{10, 20, 30});
-        Image<Rgb8> expected(25, 19, Rgb8{7, 7, 7});
-        ASSERT_EQ(count, draw_pixels(expected, line_bresenham(p0, p1), Rgb8{10, 20, 30}));
-        ASSERT_EQ(image, expected) << "(" << p0.transpose() << ") to (" << p1.transpose() << ")";
+        expect_drawn_by_runs(segment.p0 - corner, segment.p1 - corner, 25, 19);
+        if (HasFatalFailure()) return;
       }
     }
   }
@@ -225,13 +255,8 @@ TEST(stage01_draw_line_runs, all_lines_in_a_small_image) {
   for (const auto& [width, height] : {std::pair{7, 6}, {1, 9}, {9, 1}, {1, 1}}) {
     for (int from = 0; from < width * height; ++from) {
       for (int to = 0; to < width * height; ++to) {
-        const Point p0(from % width, from / width);
-        const Point p1(to % width, to / width);
-        Image<Rgb8> image(width, height, Rgb8{7, 7, 7});
-        draw_line_runs(image, p0, p1, Rgb8{10, 20, 30});
-        Image<Rgb8> expected(width, height, Rgb8{7, 7, 7});
-        draw_pixels(expected, line_bresenham(p0, p1), Rgb8{10, 20, 30});
-        ASSERT_EQ(image, expected) << "(" << p0.transpose() << ") to (" << p1.transpose() << ")";
+        expect_drawn_by_runs({from % width, from / width}, {to % width, to / width}, width, height);
+        if (HasFatalFailure()) return;
       }
     }
   }
@@ -251,27 +276,6 @@ TEST(stage01_draw_line_runs, draw_the_same_when_the_ends_change_places) {
               draw_line_runs(back, segment.p1, segment.p0, white));
     ASSERT_EQ(there, back);
   }
-}
-
-/// The pixels of line_bresenham() in an image, each by its own division in 128 bits.
-Image<Rgb8> exactly_drawn(const Point& p0, const Point& p1, int width, int height) {
-  __extension__ using Int128 = __int128;
-  const Eigen::Matrix<std::int64_t, 2, 1> way = p1.cast<std::int64_t>() - p0.cast<std::int64_t>();
-  const int axis = std::abs(way.y()) > std::abs(way.x()) ? 1 : 0;
-  const Point& from = way[axis] < 0 ? p1 : p0;
-  const Int128 major = std::abs(way[axis]);
-  const Int128 minor = std::abs(way[1 - axis]);
-  const int direction = (way[axis] < 0) != (way[1 - axis] < 0) ? -1 : 1;
-  Image<Rgb8> image(width, height);
-  for (int place = 0; place < (axis == 0 ? width : height); ++place) {
-    const Int128 step = Int128{place} - from[axis];
-    if (step < 0 || step > major) continue;
-    const Int128 offset = major == 0 ? 0 : (2 * step * minor + major) / (2 * major);
-    const auto across = static_cast<int>(from[1 - axis] + direction * offset);
-    const Point pixel = axis == 0 ? Point(place, across) : Point(across, place);
-    if (image.contains(pixel.x(), pixel.y())) image(pixel.x(), pixel.y()) = white;
-  }
-  return image;
 }
 
 TEST(stage01_draw_line_runs, are_exact_for_ends_of_every_magnitude) {

@@ -67,6 +67,21 @@ TEST(stage01_line_bresenham, the_check_takes_ties_either_way) {
   EXPECT_EQ(oracle::line_mistake({{0, 0}, {1, 1}, {2, 1}}, {0, 0}, {2, 1}), "");
 }
 
+TEST(stage01_line_bresenham, the_check_knows_where_ties_are) {
+  for (const Segment& segment : short_segments()) {
+    const oracle::ExactSegment exact(segment.p0, segment.p1);
+    const Point box = (segment.p1 - segment.p0).cwiseAbs();
+    bool found = false;
+    for (int y = -box.y() - 1; y <= box.y() + 1; ++y) {
+      for (int x = -box.x() - 1; x <= box.x() + 1; ++x) {
+        const Point pixel = segment.p0 + Point(x, y);
+        found = found || (exact.is_near(pixel) && exact.distance(pixel) == 0.5L);
+      }
+    }
+    ASSERT_EQ(exact.has_ties(), found) << segment.p0.transpose() << " " << segment.p1.transpose();
+  }
+}
+
 TEST(stage01_line_bresenham, the_check_finds_each_mistake) {
   const auto mistake = [](const std::vector<Point>& pixels) {
     return oracle::line_mistake(pixels, {0, 0}, {4, 2});

@@ -1,4 +1,4 @@
-// A right answer written differently: counts pixels down, and writes into a string first.
+// A right answer written differently: counts pixels from the end, and writes into a string first.
 #include "common/lines/line_discrete.h"
 
 #include "common/image/check.h"
@@ -14,10 +14,11 @@ void LineDiscrete::append(const Point& pixel) {
 }
 
 const Point& LineDiscrete::operator[](std::size_t index) const {
-  for (const Point& pixel : pixels_) {
-    if (index-- == 0) return pixel;
+  const std::size_t from_the_end = pixels_.size() - index;
+  if (from_the_end == 0 || from_the_end > pixels_.size()) {
+    throw CheckError("the line has fewer pixels");
   }
-  throw CheckError("the line has fewer pixels");
+  return *(pixels_.end() - static_cast<std::ptrdiff_t>(from_the_end));
 }
 
 std::ostream& operator<<(std::ostream& out, const LineDiscrete& line) {

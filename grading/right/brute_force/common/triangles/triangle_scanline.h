@@ -1,4 +1,5 @@
-// A right answer written differently: each row asks every step of every side whether it is there.
+// A right answer written differently: each row asks each side for the first and last of its steps
+// that are there.
 #pragma once
 
 #include "common/image/check.h"
@@ -80,8 +81,9 @@ TriangleScanline<T> make_triangle_scanline(const std::array<Point, 3>& corners,
     for (std::size_t i = 0; i < 3; ++i) {
       const Point &from = corners[i], &to = corners[(i + 1) % 3];
       const LineSteps side(from, to);
-      for (std::int64_t k = 0; k <= side.last(); ++k) {
-        if (side.at(k).y() != y) continue;
+      const StepRange here = side.in_rows(y, y);
+      if (here.empty()) continue;
+      for (const std::int64_t k : {here.first, here.last}) {
         const double whole = (to - from).template cast<double>().norm();
         const double gone = (side.at(k) - from).template cast<double>().norm();
         const auto weight = static_cast<float>(whole == 0 ? 0.0 : gone / whole);

@@ -1,5 +1,5 @@
-// A right answer written differently: every pixel of the three sides is visited, and each widens
-// its row.
+// A right answer written differently: along each side from row to row, the run it has in each
+// widens the row.
 #pragma once
 
 #include "common/image/check.h"
@@ -77,16 +77,22 @@ TriangleScanline<T> make_triangle_scanline(const std::array<Point, 3>& corners,
   std::map<int, Row> found;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    const LineDiscrete side = line_all_octants(corners[i], corners[j]);
-    const LineInterpolation alpha(side);
-    for (std::size_t k = 0; k < side.size(); ++k) {
-      const int x = side[k].x(), y = side[k].y();
-      if (y < rows.first || y > rows.last) continue;
-      const auto a = static_cast<float>(alpha[k]);
-      const T value = (1 - a) * values[i] + a * values[j];
-      Row& row = found.try_emplace(y, Row{y, x, x, value, value}).first->second;
-      if (x < row.left) row.left = x, row.left_value = value;
-      if (x > row.right) row.right = x, row.right_value = value;
+    const LineSteps side(corners[i], corners[j]);
+    const StepRange wanted = side.in_rows(rows.first, rows.last);
+    StepRange run{wanted.first, wanted.first};
+    for (; run.first <= wanted.last; run.first = run.last + 1) {
+      const int y = side.at(run.first).y();
+      run.last = side.in_rows(y, y).last;
+      const LineDiscrete ends = {side.at(run.first), side.at(run.last)};
+      const LineInterpolation alpha(ends, corners[i], corners[j]);
+      for (std::size_t k = 0; k < ends.size(); ++k) {
+        const int x = ends[k].x();
+        const auto a = static_cast<float>(alpha[k]);
+        const T value = (1 - a) * values[i] + a * values[j];
+        Row& row = found.try_emplace(y, Row{y, x, x, value, value}).first->second;
+        if (x < row.left) row.left = x, row.left_value = value;
+        if (x > row.right) row.right = x, row.right_value = value;
+      }
     }
   }
   std::vector<Row> result;
