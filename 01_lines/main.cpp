@@ -43,7 +43,7 @@ void image_container(Run& run) {
     image(91, 10) = red;
   } catch (const CheckError& error) {
     run.printout("01.1_outside", std::string(error.what()) + "\n");
-    run.file("backtrace_log.txt", [&](const std::filesystem::path& path) {
+    run.file("backtrace_log.txt", [error](const std::filesystem::path& path) {
       std::ofstream(path) << error.what() << "\n" << error.call_stack();
     });
   }
@@ -53,7 +53,7 @@ void image_container(Run& run) {
 void red_pixel_in_files(Run& run) {
   const Image<Rgb8> image = red_pixel(100, 100, 52, 41);
   run.picture("01.2_red_pixel", image);
-  run.file("01.2_red_pixel.tga", [&](const auto& path) { write_image(path, image); });
+  run.file("01.2_red_pixel.tga", [image](const auto& path) { write_image(path, image); });
 }
 
 // 01.3

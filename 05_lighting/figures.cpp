@@ -236,7 +236,7 @@ void draw_light_going_round(Run& run) {
     animation.add(frame.color);
     run.progress("05.6 frame", i + 1, frames);
   }
-  run.file("05.6_light.png", [&](const auto& path) { animation.write(path, 40); });
+  run.file("05.6_light.png", [animation](const auto& path) { animation.write(path, 40); });
 }
 
 // --- 05.7: left out by which side is seen, and, as is easily got wrong, by which side is lit ---

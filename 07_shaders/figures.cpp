@@ -79,7 +79,7 @@ void go_round(Run& run, const std::string& name, const Draw& draw) {
     animation.add(picture);
     run.progress(name + " frame", i + 1, frames);
   }
-  run.file(name + ".png", [&](const auto& path) { animation.write(path, 80); });
+  run.file(name + ".png", [animation](const auto& path) { animation.write(path, 80); });
 }
 
 }  // namespace

@@ -20,20 +20,26 @@ bool Run::out_is_file() const {
          !std::filesystem::is_directory(settings_.out);
 }
 
-/// The path a result goes to. A single file takes one result only.
-std::filesystem::path Run::claim(const std::string& file_name) {
-  if (!out_is_file()) {
-    std::filesystem::create_directories(settings_.out);
-    return settings_.out / file_name;
-  }
-  if (!claimed_.empty()) {
-    throw UsageError("--out " + settings_.out.string() + " is one file, but both " + claimed_ +
+std::filesystem::path Run::path_in_folder(const std::string& file_name) const {
+  std::filesystem::create_directories(settings_.out);
+  return settings_.out / file_name;
+}
+
+void Run::keep_as_single(const std::string& file_name, const Writer& write) {
+  if (write_single_) {
+    throw UsageError("--out " + settings_.out.string() + " is one file, but both " + single_name_ +
                      " and " + file_name +
                      " are to be written: expected a folder, or --exercise and --algorithm that "
                      "leave one picture");
   }
-  claimed_ = file_name;
-  return settings_.out;
+  single_name_ = file_name;
+  write_single_ = write;
+}
+
+void Run::finish() {
+  if (!write_single_) return;
+  write_single_(settings_.out);
+  announce(settings_.out);
 }
 
 void Run::announce(const std::filesystem::path& path) const {
@@ -42,7 +48,12 @@ void Run::announce(const std::filesystem::path& path) const {
 
 template <class Pixel>
 void Run::picture(const std::string& name, const Image<Pixel>& image) {
-  const std::filesystem::path path = claim(name + (std::is_same_v<Pixel, float> ? ".pfm" : ".png"));
+  const std::string file_name = name + (std::is_same_v<Pixel, float> ? ".pfm" : ".png");
+  if (out_is_file()) {
+    keep_as_single(file_name, [image](const auto& path) { write_image(path, image); });
+    return;
+  }
+  const std::filesystem::path path = path_in_folder(file_name);
   write_image(path, image);
   announce(path);
 }
@@ -58,13 +69,17 @@ void Run::printout(const std::string& name, const std::string& text) {
     std::cout << text << std::flush;
     return;
   }
-  file(name + ".txt", [&](const std::filesystem::path& path) { std::ofstream(path) << text; });
+  file(name + ".txt", [text](const std::filesystem::path& path) { std::ofstream(path) << text; });
 }
 
-void Run::file(const std::string& file_name,
-               const std::function<void(const std::filesystem::path&)>& write) {
-  const std::filesystem::path path = claim(file_name);
-  write_atomically(path, write);
+void Run::file(const std::string& file_name, const Writer& write) {
+  const Writer write_whole = [write](const auto& path) { write_atomically(path, write); };
+  if (out_is_file()) {
+    keep_as_single(file_name, write_whole);
+    return;
+  }
+  const std::filesystem::path path = path_in_folder(file_name);
+  write_whole(path);
   announce(path);
 }
 

@@ -34,7 +34,8 @@ class Run {
  public:
   explicit Run(RunSettings settings);
 
-  /// Writes a picture as `NAME.png` into the output folder, or to the file that --out names. NAME
+  /// Writes a picture as `NAME.png` into the output folder. Where --out names one file, that is
+  /// written by finish(), so that a run with several results is refused and leaves nothing. NAME
   /// has no extension and starts with the exercise's id: "01.5_bresenham". Pixels: grey, Rgb8,
   /// Rgba8 (float: `NAME.pfm`).
   template <class Pixel>
@@ -44,9 +45,14 @@ class Run {
   /// --stats, else written as `NAME.txt`.
   void printout(const std::string& name, const std::string& text);
 
-  /// A file of any other kind, made by `write`, which gets the path to write to.
-  void file(const std::string& file_name,
-            const std::function<void(const std::filesystem::path&)>& write);
+  using Writer = std::function<void(const std::filesystem::path&)>;
+
+  /// A file of any other kind, made by `write`, which gets the path to write to and may be called
+  /// as late as in finish(): it holds what it writes.
+  void file(const std::string& file_name, const Writer& write);
+
+  /// Called when all went well: writes the single file that --out names.
+  void finish();
 
   /// Says "wrote PATH" for a file made by other means, as one named by its own flag.
   void announce(const std::filesystem::path& path) const;
@@ -71,11 +77,13 @@ class Run {
   bool out_is_file() const;
 
  private:
-  std::filesystem::path claim(const std::string& file_name);
+  std::filesystem::path path_in_folder(const std::string& file_name) const;
+  void keep_as_single(const std::string& file_name, const Writer& write);
 
   RunSettings settings_;
   nlohmann::json statistics_ = nlohmann::json::object();
-  std::string claimed_;  ///< what was written to the single file that --out names
+  Writer write_single_;      ///< for the single file that --out names
+  std::string single_name_;  ///< what it would be called in a folder
 };
 
 }  // namespace rasterlab

@@ -169,6 +169,7 @@ class StageProgram {
       for (const Exercise& exercise : chosen_exercises(stage_, settings_))
         run_timed(run, exercise.id, exercise.run);
     }
+    run.finish();
     if (settings_.statistics) std::cout << run.statistics().dump(2) << std::endl;
   }
 
