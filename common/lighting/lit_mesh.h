@@ -17,7 +17,7 @@ struct LitMesh {
   Transforms transforms;
   Light light;  ///< in the world
   Material material;
-  std::optional<Color> color = std::nullopt;  ///< not given: the mesh's, else grey, 0.75
+  std::optional<Color> color = std::nullopt;  ///< not given: the mesh's, else default_color()
   ReflectionModel model = ReflectionModel::phong;
   Cull cull = Cull::none;
 };

@@ -6,11 +6,6 @@
 #include "common/projection/normal_matrix.h"
 
 namespace rasterlab {
-namespace {
-
-const Color light_grey = Color::Constant(0.75F);
-
-}  // namespace
 
 SurfaceSample<float> interpolate(const std::array<SurfaceSample<float>, 3>& corners,
                                  const CornerWeights<float>& weights) {
@@ -34,7 +29,7 @@ Eigen::Vector3f SurfaceLighting::world_position(std::uint32_t vertex) const {
 
 Color SurfaceLighting::vertex_color(std::uint32_t vertex) const {
   if (lit_mesh_.color) return *lit_mesh_.color;
-  return lit_mesh_.mesh.colors.empty() ? light_grey : lit_mesh_.mesh.colors[vertex];
+  return lit_mesh_.mesh.colors.empty() ? default_color() : lit_mesh_.mesh.colors[vertex];
 }
 
 SurfaceSample<float> SurfaceLighting::vertex(std::uint32_t vertex) const {

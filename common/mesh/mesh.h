@@ -25,6 +25,11 @@ struct Mesh {
   bool empty() const { return triangles.empty(); }
 };
 
+/// Light grey: the colour of a surface to which neither its mesh nor anything else gives one.
+inline Eigen::Vector3f default_color() {
+  return Eigen::Vector3f::Constant(0.75F);
+}
+
 /// The box around all positions; of an empty mesh, an empty box.
 Eigen::AlignedBox3f bounding_box(const Mesh& mesh);
 

@@ -32,9 +32,4 @@ struct ShaderInputs {
 /// gives it.
 const Sampler& required(const std::optional<Sampler>& sampler, const char* flag);
 
-/// Where neither is given and the mesh has none: light grey.
-inline Color default_color() {
-  return Color::Constant(0.75F);
-}
-
 }  // namespace rasterlab
