@@ -179,7 +179,7 @@ class Binning {
     for_each_tile(triangle, pixels, [&](int tx, int ty) {
       const int tile = ty * tiles_x_ + tx;
       ThinTriangles& bin = worker_.bin(tile).thin[width].with_room(worker_.arena);
-      ++worker_.bin(tile).worth;
+      if (bin.count == 0) ++worker_.bin(tile).worth;  // for a chunk of them
       const auto place = static_cast<std::size_t>(bin.count++);
       for (std::size_t i = 0; i < 3; ++i) {
         bin.x[i][place] = triangle.x[i] - (tx << (tile_shift_ + 8));

@@ -139,7 +139,8 @@ struct TileBin {
       thin;  ///< by whole pixels of width
   ChunkList<LargeTriangles> large;
 
-  /// How much there is to draw: 1 for a small or thin triangle, more for what may hide others.
+  /// How much there is to draw: 1 for a small triangle, more for what may hide others, less for
+  /// slivers, which hardly do.
   std::uint32_t worth = 0;
   static constexpr std::uint32_t worth_of_medium = 8;
   static constexpr std::uint32_t worth_of_large = 1000;
@@ -176,6 +177,7 @@ struct ShadingScratch {
   std::vector<std::uint32_t> table;      ///< hash table from key to slot
   std::vector<float> record;             ///< per slot
   std::vector<ShadedTriangle> triangle;  ///< per slot
+  float fetched;                         ///< of no use but that what it was made of had to be read
 };
 
 /// What belongs to one thread.

@@ -130,6 +130,7 @@ class VisibleTriangles {
   std::int32_t slot_of(std::uint32_t key);
   void reserve_slots(std::size_t count);
   void set_up();
+  void fetch_vertices(std::size_t first_slot, std::size_t count);
   void set_up_some(std::size_t first_slot, std::size_t count);
   CornerLanes corner_order(Ints triangle) const;
   std::array<Number, 3> position(Ints vertex) const;
