@@ -66,6 +66,19 @@ std::vector<std::string> cells(const Result& r) {
           format("%.0f", r.peak_memory_mb)};
 }
 
+/// One sentence per result whose colours differ in too many pixels.
+std::vector<std::string> remarks(const std::vector<Result>& results) {
+  std::vector<std::string> sentences;
+  for (const Result& r : results) {
+    if (r.color_difference <= difference_limit) continue;
+    sentences.push_back(r.scene + ", " + r.shading + ", " + std::to_string(r.threads) +
+                        " thread(s): colours differ in " + format("%.1f", r.color_difference) +
+                        " pixels per million, in " + format("%.1f", r.exact_color_difference) +
+                        " where llvmpipe weighs texels with floats instead of 8 bits.");
+  }
+  return sentences;
+}
+
 struct Column {
   const char* title;
   int width;
@@ -123,6 +136,7 @@ nlohmann::json to_json(const std::vector<Result>& results) {
                      {"our_coverage_error_per_million", r.our_error},
                      {"peer_coverage_error_per_million", r.peer_error},
                      {"color_difference_per_million", r.color_difference},
+                     {"exact_color_difference_per_million", r.exact_color_difference},
                      {"prepare_ms", r.prepare_ms},
                      {"peak_memory_mb", r.peak_memory_mb}});
   }
@@ -146,6 +160,7 @@ std::vector<Result> from_json(const nlohmann::json& json) {
     r.our_error = o["our_coverage_error_per_million"];
     r.peer_error = o["peer_coverage_error_per_million"];
     r.color_difference = o["color_difference_per_million"];
+    r.exact_color_difference = o["exact_color_difference_per_million"];
     r.prepare_ms = o["prepare_ms"];
     r.peak_memory_mb = o["peak_memory_mb"];
     results.push_back(std::move(r));
@@ -180,6 +195,7 @@ std::string to_html(const std::vector<Result>& results) {
     page << "</tr>\n";
   }
   page << "</table>\n";
+  for (const std::string& remark : remarks(results)) page << "<p>" << remark << "</p>\n";
   return page.str();
 }
 
@@ -194,7 +210,7 @@ void print_row(const Result& result) {
     std::printf("%*s ", columns[i].width, texts[i].c_str());
   }
   std::printf("\n");
-  if (result.coverage_difference > coverage_limit) {
+  if (result.coverage_difference > difference_limit) {
     std::printf("  coverage unlike exact arithmetic, pixels per million: ours %.1f, peer %.1f\n",
                 result.our_error, result.peer_error);
   }
@@ -202,6 +218,7 @@ void print_row(const Result& result) {
 }
 
 void print_summary(const std::vector<Result>& results) {
+  for (const std::string& remark : remarks(results)) std::printf("%s\n", remark.c_str());
   for (const int threads : thread_counts(results)) {
     int below = 0;
     int count = 0;

@@ -8,9 +8,9 @@
 
 namespace rasterlab::bench {
 
-/// Pixels per million that two sides may cover differently before exact arithmetic is asked who is
-/// right.
-inline constexpr double coverage_limit = 20;
+/// Pixels per million that may differ between two sides, in coverage or in colour, before it is
+/// asked who is right.
+inline constexpr double difference_limit = 20;
 
 struct Result {
   std::string scene;
@@ -26,6 +26,8 @@ struct Result {
   double our_error = 0;  ///< where sides disagree: pixels per million unlike exact_coverage()
   double peer_error = 0;
   double color_difference = 0;  ///< pixels per million that differ by more than 3 codes
+  /// Where those are too many: how many when llvmpipe weighs texels with floats, not with 8 bits.
+  double exact_color_difference = 0;
   double prepare_ms = 0;
   double peak_memory_mb = 0;
 
