@@ -15,11 +15,10 @@ DrawnLines draw_one_by_one(Image<Rgb8>& image, std::span<const Segment> segments
   return draw_line_runs(image, segments, color);
 }
 
-/// Whether a list is worth a pass over the image: with more pixels than that, and segments that are
-/// not so short that they are as quickly drawn one by one. Judged by its first thousand.
+/// Whether a list is worth a pass over the image: with half as many pixels. Judged by its first
+/// thousand. Marks of a narrow image would take too much memory.
 bool is_long(std::span<const Segment> segments, const Image<Rgb8>& image) {
   constexpr int shortest_side = 64;
-  constexpr std::int64_t short_segment = 32;
   const std::span<const Segment> some =
       segments.first(std::min<std::size_t>(segments.size(), 1000));
   std::int64_t pixels = 0;
@@ -29,8 +28,9 @@ bool is_long(std::span<const Segment> segments, const Image<Rgb8>& image) {
     pixels += std::max(width, height) + 1;
   }
   const std::int64_t pixels_each = pixels / std::max<std::int64_t>(std::ssize(some), 1);
-  return std::min(image.width(), image.height()) >= shortest_side && pixels_each > short_segment &&
-         pixels_each * std::ssize(segments) > std::int64_t{image.width()} * image.height();
+  const std::int64_t image_pixels = std::int64_t{image.width()} * image.height();
+  return std::min(image.width(), image.height()) >= shortest_side &&
+         2 * pixels_each * std::ssize(segments) > image_pixels;
 }
 
 /// Segments of one colour may be drawn in any order, and need not be drawn one by one.

@@ -13,7 +13,7 @@ namespace rasterlab {
 
 /// What draw_line_runs() draws of each segment. Throws CheckError for a coordinate beyond ±2^30;
 /// the image is then drawn in part. Cost: the segments' runs, and one pass over the image when they
-/// have more pixels than it has.
+/// have half as many pixels as it has.
 DrawnLines draw_line_list(Image<Rgb8>& image, std::span<const Segment> segments, const Rgb8& color);
 
 /// A way to do what draw_line_list() does.

@@ -341,8 +341,7 @@ void expect_drawn_as_one_by_one(const std::vector<Segment>& segments, int width,
   for (const auto& [p0, p1] : segments) drawn.add(draw_line_runs(expected, p0, p1, color));
   std::vector<LineListWay> ways = line_list_ways();
   // Lists that are too short to be worth marks are marked all the same.
-  if (has_avx512() && std::min(width, height) >= 64)
-    ways.push_back({"marks", &draw_line_list_avx512});
+  if (has_avx512()) ways.push_back({"marks", &draw_line_list_avx512});
   for (const LineListWay& way : ways) {
     Image<Rgb8> image = before;
     EXPECT_EQ(way.draw(image, segments, color), drawn) << way.name;
@@ -357,16 +356,54 @@ TEST(stage01_draw_line_list, each_segment_from_a_pixel) {
   }
 }
 
+TEST(stage01_draw_line_list, segments_near_the_borders_of_64_pixels) {
+  for (const Point& p0 : {Point(63, 63), Point(64, 64), Point(127, 60), Point(60, 128)}) {
+    for (int x = 57; x < 72; ++x) {
+      for (int y = 57; y < 72; ++y) {
+        expect_drawn_as_one_by_one({{p0, {x, y}}}, 130, 129);
+        expect_drawn_as_one_by_one({{{x, y}, {x - 57, 128}}}, 130, 129);
+      }
+    }
+  }
+}
+
+TEST(stage01_draw_line_list, segments_along_the_borders_of_an_image) {
+  for (const auto& [width, height] :
+       {std::pair{64, 64}, {65, 71}, {127, 128}, {7, 200}, {200, 1}}) {
+    const int right = width - 1;
+    const int bottom = height - 1;
+    for (const Segment& segment :
+         {Segment{{0, 0}, {right, 0}}, Segment{{0, bottom}, {right, bottom}},
+          Segment{{0, 0}, {0, bottom}}, Segment{{right, bottom}, {right, 0}},
+          Segment{{0, 0}, {right, bottom}}, Segment{{0, bottom}, {right, 0}},
+          Segment{{right, bottom}, {right, bottom}}})
+      expect_drawn_as_one_by_one({segment}, width, height);
+  }
+}
+
 TEST(stage01_draw_line_list, any_segment_of_an_image) {
   std::mt19937 random(8);
-  for (int i = 0; i < 1000; ++i) {
-    const int width = 64 + static_cast<int>(random() % 80U);
-    const int height = 64 + static_cast<int>(random() % 80U);
+  for (int i = 0; i < 1500; ++i) {
+    const int width = 64 + static_cast<int>(random() % 140U);
+    const int height = 64 + static_cast<int>(random() % 140U);
     const auto pixel = [&] {
       return Point(static_cast<int>(random() % static_cast<unsigned>(width)),
                    static_cast<int>(random() % static_cast<unsigned>(height)));
     };
-    expect_drawn_as_one_by_one({{pixel(), pixel()}}, width, height);
+    // Two of three have a simple slope, where many pixels are equally near.
+    const Point p0 = pixel();
+    const int way = static_cast<int>(random() % 81U) - 40;
+    const Point p1 = i % 3 == 0   ? pixel()
+                     : i % 3 == 1 ? p0 + Point(2 * way, way)
+                                  : p0 + Point(way, -2 * way);
+    expect_drawn_as_one_by_one({{p0, p1}}, width, height);
+  }
+}
+
+TEST(stage01_draw_line_list, long_segments_one_by_one) {
+  for (const int minor : {0, 1, 2, 31, 62, 63}) {
+    expect_drawn_as_one_by_one({{{0, 0}, {32767, minor}}}, 32768, 64);
+    expect_drawn_as_one_by_one({{{32766, 0}, {0, minor}}}, 32768, 64);
   }
 }
 
