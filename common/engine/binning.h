@@ -117,10 +117,11 @@ class Binning {
       const LargeTriangle triangle = {{x_[0][lane], x_[1][lane], x_[2][lane]},
                                       {y_[0][lane], y_[1][lane], y_[2][lane]},
                                       {depth_[0][lane], depth_[1][lane], depth_[2][lane]},
-                                      key};
+                                      key,
+                                      kinds.width[lane]};
       const PixelBounds pixels = {left_[lane], right_[lane], top_[lane], bottom_[lane]};
       if (is(kinds.thin)) {
-        add_thin(triangle, static_cast<std::size_t>(kinds.width[lane]), pixels);
+        for_each_tile(triangle, pixels, [&](int tile) { worker_.add_thin(tile, triangle); });
       } else {
         add_large(triangle, pixels);
       }
@@ -131,8 +132,7 @@ class Binning {
   void add_large(const LargeTriangle& triangle, const PixelBounds& pixels) {
     auto* kept = worker_.arena.make<LargeTriangle>();
     *kept = triangle;
-    for_each_tile(triangle, pixels,
-                  [&](int tx, int ty) { worker_.add_large(ty * tiles_x_ + tx, kept); });
+    for_each_tile(triangle, pixels, [&](int tile) { worker_.add_large(tile, kept); });
   }
 
  private:
@@ -157,7 +157,7 @@ class Binning {
     }
   };
 
-  /// Calls `visit(tx, ty)` for the tiles in which a triangle may be seen.
+  /// Calls `visit(tile)` for the tiles in which a triangle may be seen.
   template <class Visit>
   void for_each_tile(const LargeTriangle& triangle, const PixelBounds& pixels, Visit&& visit) {
     const std::array<Edge, 3> edges = {Edge(triangle, 0), Edge(triangle, 1), Edge(triangle, 2)};
@@ -168,26 +168,12 @@ class Binning {
             edges[2].misses(tx, ty, tile_shift_)) {
           continue;
         }
-        if (hides(ty * tiles_x_ + tx, nearest)) continue;
-        visit(tx, ty);
+        const int tile = ty * tiles_x_ + tx;
+        if (hides(tile, nearest)) continue;
+        visit(tile);
         ++worker_.statistics.triangles_binned;
       }
     }
-  }
-
-  void add_thin(const LargeTriangle& triangle, std::size_t width, const PixelBounds& pixels) {
-    for_each_tile(triangle, pixels, [&](int tx, int ty) {
-      const int tile = ty * tiles_x_ + tx;
-      ThinTriangles& bin = worker_.bin(tile).thin[width].with_room(worker_.arena);
-      if (bin.count == 0) ++worker_.bin(tile).worth;  // for a chunk of them
-      const auto place = static_cast<std::size_t>(bin.count++);
-      for (std::size_t i = 0; i < 3; ++i) {
-        bin.x[i][place] = triangle.x[i] - (tx << (tile_shift_ + 8));
-        bin.y[i][place] = triangle.y[i] - (ty << (tile_shift_ + 8));
-        bin.depth[i][place] = triangle.depth[i];
-      }
-      bin.key[place] = triangle.key;
-    });
   }
 
   /// Which of the triangles asked, of at most 8×8 samples, are behind all that the blocks they

@@ -1,6 +1,7 @@
 // What passes from the front end, which works by cluster, to the back end, which works by tile.
 #pragma once
 
+#include "common/engine/huge_pages.h"
 #include "common/engine/statistics.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <vector>
 
@@ -38,24 +38,15 @@ class Arena {
 
  private:
   static constexpr std::size_t alignment = 64;
-  static constexpr std::size_t block_size = std::size_t{1} << 20;
-
-  struct Free {
-    void operator()(std::byte* memory) const {
-      ::operator delete[](memory, std::align_val_t(alignment));
-    }
-  };
+  static constexpr std::size_t block_size = std::size_t{1} << 21;  // a large page
 
   void next_block() {
     current_ = blocks_.empty() ? 0 : current_ + 1;
-    if (current_ == blocks_.size()) {
-      blocks_.emplace_back(
-          static_cast<std::byte*>(::operator new[](block_size, std::align_val_t(alignment))));
-    }
+    if (current_ == blocks_.size()) blocks_.emplace_back(block_size);
     used_ = 0;
   }
 
-  std::vector<std::unique_ptr<std::byte[], Free>> blocks_;
+  std::vector<HugePages<std::byte>> blocks_;
   std::size_t current_ = 0;
   std::size_t used_ = block_size;
 };
@@ -75,28 +66,13 @@ struct PackedTriangles {
   std::array<std::uint32_t, capacity> key;
 };
 
-/// Slivers: a few pixels wide where they are widest, along the axis they reach less far on, and of
-/// any length as long as the box around them has less than 2^31 square units: then all edge
-/// functions in it fit 32 bits. Coordinates count from the tile's corner in 1/256 pixel, area
-/// positive.
-struct ThinTriangles {
-  static constexpr int capacity = 32;
-  static constexpr int max_width = 3;  ///< in pixels
-
-  ThinTriangles* next;
-  std::int32_t count;
-  alignas(64) std::array<std::array<std::int32_t, capacity>, 3> x;
-  std::array<std::array<std::int32_t, capacity>, 3> y;
-  std::array<std::array<float, capacity>, 3> depth;
-  std::array<std::uint32_t, capacity> key;
-};
-
 /// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive.
 struct LargeTriangle {
   std::array<std::int32_t, 3> x;
   std::array<std::int32_t, 3> y;
   std::array<float, 3> depth;
   std::uint32_t key;
+  std::int32_t thin_width = 0;  ///< of a sliver
 };
 
 /// Not less than the depth of any of its pixels.
@@ -110,6 +86,54 @@ struct LargeTriangles {
   LargeTriangles* next;
   std::int32_t count;
   std::array<const LargeTriangle*, capacity> triangle;
+};
+
+/// Slivers: a few pixels wide where they are widest, along the axis they reach less far on, and of
+/// any length as long as the box around them has less than 2^31 square units: then all edge
+/// functions in it fit 32 bits. Those of one tile, side by side, with coordinates from the tile's
+/// corner.
+struct ThinTriangles {
+  static constexpr int max_width = 3;  ///< in whole pixels
+
+  std::array<std::vector<std::int32_t>, 3> x;
+  std::array<std::vector<std::int32_t>, 3> y;
+  std::array<std::vector<float>, 3> depth;
+  std::vector<std::uint32_t> key;
+  std::vector<std::int32_t> first, last;  ///< lines of the tile that it has samples on
+  int count = 0;
+
+  /// There is always room for a whole vector more.
+  void resize(std::size_t size) {
+    count = static_cast<int>(size);
+    size += 16;
+    if (key.size() >= size) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      x[i].resize(size);
+      y[i].resize(size);
+      depth[i].resize(size);
+    }
+    key.resize(size);
+    first.resize(size);
+    last.resize(size);
+  }
+};
+
+/// A sliver in a tile: which of the tile's lines it may have samples on, and its place among
+/// others.
+struct ThinInTile {
+  const LargeTriangle* triangle;
+  std::int32_t first, last;
+  std::uint32_t likeness;
+};
+
+/// Slivers that reach into one tile. Not by pointer: what lies in a row is read quicker than what
+/// lies anywhere.
+struct ThinList {
+  static constexpr int capacity = 22;
+
+  ThinList* next;
+  std::int32_t count;
+  std::array<LargeTriangle, capacity> triangle;
 };
 
 /// What one worker found to draw in one tile, in that order: nearer clusters first, so that what
@@ -135,8 +159,7 @@ struct ChunkList {
 struct TileBin {
   ChunkList<PackedTriangles> small;
   ChunkList<PackedTriangles> medium;
-  std::array<ChunkList<ThinTriangles>, ThinTriangles::max_width>
-      thin;  ///< by whole pixels of width
+  ChunkList<ThinList> thin;
   ChunkList<LargeTriangles> large;
 
   /// How much there is to draw: 1 for a small triangle, more for what may hide others, less for
@@ -180,13 +203,15 @@ struct ShadingScratch {
   float fetched;                         ///< of no use but that what it was made of had to be read
 };
 
-/// What belongs to one thread.
-struct Worker {
+/// What belongs to one thread, in cache lines of its own.
+struct alignas(64) Worker {
   Arena arena;
   std::vector<TileBin> bins;
   Statistics statistics;
   ShadingScratch scratch;
-  std::vector<NearTriangle> near_first;  ///< room for sorting a tile's large triangles
+  std::vector<NearTriangle> near_first;  ///< room for sorting a tile's large triangles …
+  std::vector<ThinInTile> thin_in_tile;  ///< … and for its slivers
+  ThinTriangles thin;
 
   void begin(int tiles) {
     arena.reset();
@@ -198,6 +223,12 @@ struct Worker {
   void add_large(int tile, const LargeTriangle* triangle) {
     LargeTriangles& chunk = bin(tile).large.with_room(arena);
     bin(tile).worth += TileBin::worth_of_large;
+    chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
+  }
+
+  void add_thin(int tile, const LargeTriangle& triangle) {
+    ThinList& chunk = bin(tile).thin.with_room(arena);
+    if (chunk.count == 0) ++bin(tile).worth;  // for a chunk of them
     chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }
 };

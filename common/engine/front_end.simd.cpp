@@ -118,7 +118,9 @@ Truth in_picture(const DrawJob& job, const SampleBounds& bounds) {
 void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Binning& binning) {
   LargeTriangle triangle;
   triangle.key = key;
-  auto& [x, y, depth, unused] = triangle;
+  auto& x = triangle.x;
+  auto& y = triangle.y;
+  auto& depth = triangle.depth;
   for (std::size_t c = 0; c < 3; ++c) {
     x[c] = part.snapped[c].x;
     y[c] = part.snapped[c].y;

@@ -1,4 +1,5 @@
-// Slivers, one per lane: all lanes walk along their own one at once, line by line.
+// Slivers, one per lane: all lanes walk along their own one at once, line by line. So that they end
+// at the same time, slivers of a tile are sorted first by how many lines they have there.
 //
 // A sliver has a sample or two on each line it crosses: rows, when it is steep, columns, when it is
 // flat. They lie between its longest side and a parallel through its third corner: where that strip
@@ -8,6 +9,10 @@
 
 #include "common/engine/hit_list.h"
 #include "common/engine/lane_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -44,17 +49,16 @@ inline void sort_corners(std::array<Ints, 3>& a, std::array<Ints, 3>& b) {
   order(0, 1);
 }
 
-/// `along` and `across`: the corners' coordinates; `lines` and `pixels`: how many the tile has of
-/// them. Lanes that aren't `present` have no lines.
-inline LinesOfThin find_lines(std::array<Ints, 3> along, std::array<Ints, 3> across, Ints lines,
-                              Ints pixels, Truth present) {
+/// `along` and `across`: the corners' coordinates; `pixels`: how many the tile has across. Lanes
+/// that aren't `present` have no lines.
+inline LinesOfThin find_lines(std::array<Ints, 3> along, std::array<Ints, 3> across, Ints first,
+                              Ints last, Ints pixels, Truth present) {
   LinesOfThin result;
+  result.first = first;
+  result.last = select(present, last, first - Ints(1));
   result.low = maximum(shift_right<8>(smallest_of(across) + Ints(127)), Ints(0));
   result.high = minimum(shift_right<8>(largest_of(across) - Ints(128)), pixels - Ints(1));
   sort_corners(along, across);
-  result.first = maximum(shift_right<8>(along[0] + Ints(127)), Ints(0));
-  const Ints last = minimum(shift_right<8>(along[2] - Ints(128)), lines - Ints(1));
-  result.last = select(present, last, result.first - Ints(1));
   // The longest side goes from the first to the last corner. Its slope is at most 1 and it is at
   // most 2^15.5 units wide, so that float knows it to a hundredth of a unit.
   const Number slope = as_numbers(across[2] - across[0]) / as_numbers(along[2] - along[0]);
@@ -86,10 +90,9 @@ inline ThinLanes load_thin(const ThinTriangles& triangles, int from, const Tile&
     along[i] = select(steep, corners.y[i], corners.x[i]);
     across[i] = select(steep, corners.x[i], corners.y[i]);
   }
-  const Ints width(tile.width);
-  const Ints height(tile.height);
-  const LinesOfThin lines = find_lines(along, across, select(steep, height, width),
-                                       select(steep, width, height), present);
+  const LinesOfThin lines = find_lines(along, across, load(triangles.first.data() + from),
+                                       load(triangles.last.data() + from),
+                                       select(steep, Ints(tile.width), Ints(tile.height)), present);
   const Ints first_center = shift_left<8>(lines.first) + Ints(128);
   const Ints px = select(steep, Ints(128), first_center);
   const Ints py = select(steep, first_center, Ints(128));
@@ -133,6 +136,67 @@ inline void walk_thin(const Tile& tile, ThinLanes t, Ints key, HitList& hits) {
     line = line + Ints(1);
     t.lines.strip = t.lines.strip + t.lines.strip_step;
     for (std::size_t i = 0; i < 3; ++i) t.edge[i].value = t.edge[i].value + t.along[i];
+  }
+}
+
+/// The lines of a tile that a sliver may have samples on: those it reaches, but not where it is
+/// beside the tile.
+inline ThinInTile in_tile(const LargeTriangle& triangle, const Tile& tile) {
+  const auto [left, right] = std::minmax({triangle.x[0], triangle.x[1], triangle.x[2]});
+  const auto [top, bottom] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
+  const bool steep = bottom - top > right - left;
+  const auto& along = steep ? triangle.y : triangle.x;
+  const auto& across = steep ? triangle.x : triangle.y;
+  const int origin_along = (steep ? tile.top : tile.left) * 256;
+  const int origin_across = (steep ? tile.left : tile.top) * 256;
+  const int lines = steep ? tile.height : tile.width;
+  const int pixels = steep ? tile.width : tile.height;
+  const int start = (steep ? top : left) - origin_along;
+  const int end = (steep ? bottom : right) - origin_along;
+  int first = std::max((start + 127) >> 8, 0);
+  int last = std::min((end - 128) >> 8, lines - 1);
+  // Where its longest side, and so all of it, is farther away than it is wide, and a trifle.
+  const auto at = [&](int where) {
+    const std::size_t i = along[0] - origin_along == where   ? 0
+                          : along[1] - origin_along == where ? 1
+                                                             : 2;
+    return static_cast<float>(across[i] - origin_across);
+  };
+  const float from = at(start);
+  const float rise = at(end) - from;
+  if (std::abs(rise) > 256) {
+    const float margin = 256.0F * (static_cast<float>(triangle.thin_width) + 1.25F);
+    const float per_unit = static_cast<float>(end - start) / rise;
+    const float before = (-margin - from) * per_unit;
+    const float after = (256.0F * static_cast<float>(pixels) + margin - from) * per_unit;
+    const auto line_at = [&](float way) {
+      return static_cast<int>(
+          std::clamp((static_cast<float>(start) + way) * (1.0F / 256), -1.0F, 65.0F));
+    };
+    first = std::max(first, line_at(std::min(before, after)) - 1);
+    last = std::min(last, line_at(std::max(before, after)) + 1);
+  }
+  const auto likeness = static_cast<std::uint32_t>(triangle.thin_width * 64 + (last - first));
+  return {&triangle, first, last, likeness};
+}
+
+/// Sorted by how wide they are and how many lines they have in the tile.
+inline void sort_thin(const Tile& tile, const std::vector<ThinInTile>& found,
+                      ThinTriangles& sorted) {
+  std::array<std::uint32_t, ThinTriangles::max_width* 64 + 1> place = {};
+  for (const ThinInTile& thin : found) ++place[thin.likeness + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  sorted.resize(found.size());
+  for (const ThinInTile& thin : found) {
+    const std::size_t to = place[thin.likeness]++;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sorted.x[i][to] = thin.triangle->x[i] - tile.left * 256;
+      sorted.y[i][to] = thin.triangle->y[i] - tile.top * 256;
+      sorted.depth[i][to] = thin.triangle->depth[i];
+    }
+    sorted.key[to] = thin.triangle->key;
+    sorted.first[to] = thin.first;
+    sorted.last[to] = thin.last;
   }
 }
 

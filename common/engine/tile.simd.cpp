@@ -63,11 +63,16 @@ void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker&
     draw_medium(tile, chunk, skip_hidden, worker.statistics);
   });
   HitList hits(tile);
-  for (std::size_t width = 0; width < ThinTriangles::max_width; ++width) {
-    const auto thins = [width](const TileBin& bin) { return bin.thin[width]; };
-    for_each_chunk(workers, index, thins,
-                   [&](const ThinTriangles& chunk) { draw_thin(tile, chunk, hits); });
-  }
+  worker.thin_in_tile.clear();
+  const auto thins = [](const TileBin& bin) { return bin.thin; };
+  for_each_chunk(workers, index, thins, [&](const ThinList& chunk) {
+    for (int i = 0; i < chunk.count; ++i) {
+      const ThinInTile thin = in_tile(chunk.triangle[static_cast<std::size_t>(i)], tile);
+      if (thin.first <= thin.last) worker.thin_in_tile.push_back(thin);
+    }
+  });
+  sort_thin(tile, worker.thin_in_tile, worker.thin);
+  draw_thin(tile, worker.thin, hits);
   update_far(tile, hits.take_written_blocks());
   const auto smalls = [](const TileBin& bin) { return bin.small; };
   for_each_chunk(workers, index, smalls, [&](const PackedTriangles& chunk) {
