@@ -20,8 +20,9 @@ void render_wireframe(const Mesh& mesh, const Transforms& transforms, const Colo
 void render_in_order(const Mesh& mesh, const Transforms& transforms, Image<Rgb8>& image);
 
 /// The same, but at every pixel the nearest triangle stays, by NDC z in `frame.depth`; of two that
-/// are equally near, the earlier. An empty mesh, and triangles without area, draw nothing. Cost:
-/// the vertex stage for each corner of each triangle, and a test of depth for each pixel it covers.
+/// are equally near, the earlier. `frame.distance` and `frame.ids`, where they are asked for, tell
+/// of the triangle that stays. An empty mesh, and triangles without area, draw nothing. Cost: the
+/// vertex stage for each corner of each triangle, and a test of depth for each pixel it covers.
 ///
 /// Source: C.2, C.3.
 DrawCounts render_nearest(const Mesh& mesh, const Transforms& transforms, Cull cull, Frame& frame);

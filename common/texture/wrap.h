@@ -18,6 +18,7 @@ enum class Wrap { repeat, clamp, mirror };
 /// - clamp: the nearer end.
 /// - mirror: periodic with period 2 and symmetric about every whole number: 1.25 and −0.75 are
 ///   0.75.
+/// A right answer outside is within 2^-24, half the step of floats just above 1.
 /// Just below 0, where u − ⌊u⌋ is nearer to 1 than any float below it, repeat gives 1. −0 counts
 /// as 0. From 2^24 on every float is whole: repeat gives 0, mirror 0 or 1. ±∞ clamps to an end and
 /// otherwise gives 0; NaN gives 0. Cost: one rounding.

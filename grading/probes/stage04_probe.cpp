@@ -15,6 +15,7 @@
 #include "grading/probes/probe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rasterlab::grading {
@@ -174,9 +175,20 @@ void render_scene(SceneInputs& scene, Results& results) {
   render_in_order(mesh, way, in_order);
   results.picture("filled in order", in_order, 1);
   Frame frame = make_frame(96, 80);
+  frame.distance = Image<float>(96, 80);
+  frame.ids = Image<std::int32_t>(96, 80);
+  clear(frame);
   render_nearest(mesh, way, Cull::none, frame);
   results.picture("the nearest", frame.color, 1);
   results.values("its depth", frame.depth.depths(), 1e-5);
+  std::vector<double> distances;
+  for (const float distance : frame.distance.pixels()) {
+    distances.push_back(std::isfinite(distance) ? double(distance) : -1);
+  }
+  results.numbers("its distances, -1 where nothing is", distances, 1e-4);
+  std::vector<double> is_drawn;
+  for (const std::int32_t id : frame.ids.pixels()) is_drawn.push_back(id >= 0 ? 1 : 0);
+  results.numbers("where it has a triangle", is_drawn, 0);
 }
 
 /// The corners of a polygon from the least on, so that it does not matter where an answer begins.

@@ -56,7 +56,8 @@ void turned_light_scene(SceneInputs& scene, Results& results) {
     const Eigen::Vector3f position = scene.vector(-3, 3);
     light.position = {position.x(), position.y(), position.z(), static_cast<float>(i % 2)};
     const Eigen::Vector3f center = scene.vector(-1, 1);
-    const Eigen::Vector3f axis = scene.direction();
+    const Eigen::Vector3f direction = scene.direction();
+    const Eigen::Vector3f axis = i == 11 ? Eigen::Vector3f::Zero() : direction;
     const Light turned = turned_light(light, center, axis, scene.real(0, 360));
     for (const float number : turned.position) numbers.push_back(double(number));
     numbers.push_back(double(turned.intensity));

@@ -8,6 +8,7 @@ namespace rasterlab {
 
 Light turned_light(const Light& light, const Eigen::Vector3f& center, const Eigen::Vector3f& axis,
                    float angle) {
+  if (axis.isZero(0)) return light;
   const double radians = static_cast<double>(angle) * std::numbers::pi / 180;
   const double w = light.position.w();
   const Eigen::Vector3d middle = w * center.cast<double>();

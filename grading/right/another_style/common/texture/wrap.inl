@@ -16,7 +16,8 @@ Number wrap_coordinate(const Number& coordinate, Wrap wrap) {
   }
   const Number nearest_even =
       Number(2) * round_down(Number(coordinate * Number(0.5F) + Number(0.5F)));
-  return inside(magnitude(Number(coordinate - nearest_even)));
+  const Number folded = inside(magnitude(Number(coordinate - nearest_even)));
+  return select(inside(coordinate) == coordinate, inside(coordinate), folded);
 }
 
 }  // namespace rasterlab

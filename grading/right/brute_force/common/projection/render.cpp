@@ -18,6 +18,13 @@ Eigen::Vector4f clip_corner(const Mesh& mesh, const Transforms& transforms, std:
   return to_clip(transforms.to_clip(), mesh.positions[mesh.triangles[triangle][corner]]);
 }
 
+/// How far a corner is from the eye along the view axis.
+float distance_of(const Mesh& mesh, const Transforms& transforms, std::size_t triangle,
+                  std::size_t corner) {
+  const Eigen::Vector3f& position = mesh.positions[mesh.triangles[triangle][corner]];
+  return -(transforms.model_view() * position.homogeneous()).z();
+}
+
 Color mixed(const Mesh& mesh, std::size_t triangle, const CornerWeights<float>& weights) {
   if (mesh.colors.empty()) return Color::Ones();
   const Mesh::Triangle& corners = mesh.triangles[triangle];
@@ -77,6 +84,13 @@ DrawCounts render_nearest(const Mesh& mesh, const Transforms& transforms, Cull c
       }
       frame.depth.write(pixel.x, pixel.y, pixel.depth);
       frame.color(pixel.x, pixel.y) = to_rgb8(mixed(mesh, triangle, pixel.weights));
+      if (!frame.distance.empty()) {
+        frame.distance(pixel.x, pixel.y) = interpolate<float>(
+            {distance_of(mesh, transforms, triangle, 0), distance_of(mesh, transforms, triangle, 1),
+             distance_of(mesh, transforms, triangle, 2)},
+            pixel.weights);
+      }
+      if (!frame.ids.empty()) frame.ids(pixel.x, pixel.y) = static_cast<std::int32_t>(triangle);
     };
     for_each_pixel(corners, frame.width(), frame.height(), options, counts, visit);
   }
