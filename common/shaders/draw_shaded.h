@@ -19,7 +19,7 @@ SurfacePoint<Varyings, float> surface_point(const std::array<Varyings<float>, 3>
 }
 
 /// Draws every triangle of the mesh, in order, into `frame` by a shader (shader_types.h): its
-/// vertex() for the three corners of each triangle of which a pixel is nearer than what was there,
+/// vertex() once for each corner of each triangle of which a pixel is nearer than what was there,
 /// its fragment() for each such pixel. A discarded pixel keeps its colour and its depth, and so
 /// does every pixel of a face on the side that `cull` names.
 ///

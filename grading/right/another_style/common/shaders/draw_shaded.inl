@@ -1,9 +1,9 @@
-// A right answer written differently: the vertices of all triangles before any pixel.
+// A right answer written differently: a place for every triangle, filled when a pixel first asks.
 #pragma once
 
 #include "common/image/check.h"
-#include "common/projection/once_a_triangle.h"
 
+#include <optional>
 #include <vector>
 
 namespace rasterlab {
@@ -11,17 +11,17 @@ namespace rasterlab {
 template <ShaderType Shader>
 DrawCounts draw_shaded(const Mesh& mesh, const Transforms& transforms, Cull cull,
                        const Shader& shader, Frame& frame) {
-  std::vector<std::array<typename Shader::template Varyings<float>, 3>> shaded;
-  for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-    auto& corners = shaded.emplace_back();
-    for (int corner = 0; corner < 3; ++corner) {
-      corners[static_cast<std::size_t>(corner)] = shader.vertex(mesh, triangle, corner);
-    }
-  }
+  using Corners = std::array<typename Shader::template Varyings<float>, 3>;
+  std::vector<std::optional<Corners>> shaded(mesh.triangles.size());
   return draw_mesh(
       mesh, transforms, cull, frame, [&](std::uint32_t triangle, const TrianglePixel& pixel) {
-        const auto point = surface_point<Shader::template Varyings>(shaded[triangle], pixel);
-        return shader.fragment(point);
+        std::optional<Corners>& corners = shaded[triangle];
+        if (!corners) {
+          corners.emplace();
+          for (int i = 0; i < 3; ++i)
+            (*corners)[static_cast<std::size_t>(i)] = shader.vertex(mesh, triangle, i);
+        }
+        return shader.fragment(surface_point<Shader::template Varyings>(*corners, pixel));
       });
 }
 
