@@ -11,11 +11,11 @@ namespace rasterlab {
 template <ShaderType Shader>
 DrawCounts draw_shaded(const Mesh& mesh, const Transforms& transforms, Cull cull,
                        const Shader& shader, Frame& frame) {
-  using Corners = std::array<typename Shader::template Varyings<float>, 3>;
-  std::vector<std::optional<Corners>> shaded(mesh.triangles.size());
+  using ShadedCorners = std::array<typename Shader::template Varyings<float>, 3>;
+  std::vector<std::optional<ShadedCorners>> shaded(mesh.triangles.size());
   return draw_mesh(
       mesh, transforms, cull, frame, [&](std::uint32_t triangle, const TrianglePixel& pixel) {
-        std::optional<Corners>& corners = shaded[triangle];
+        std::optional<ShadedCorners>& corners = shaded[triangle];
         if (!corners) {
           corners.emplace();
           for (int i = 0; i < 3; ++i)

@@ -10,13 +10,14 @@ namespace rasterlab {
 template <ShaderType Shader>
 DrawCounts draw_shaded(const Mesh& mesh, const Transforms& transforms, Cull cull,
                        const Shader& shader, Frame& frame) {
-  using Corners = std::array<typename Shader::template Varyings<float>, 3>;
-  std::map<std::uint32_t, Corners> seen;
+  using ShadedCorners = std::array<typename Shader::template Varyings<float>, 3>;
+  std::map<std::uint32_t, ShadedCorners> seen;
   const auto shade = [&](std::uint32_t triangle, const TrianglePixel& pixel) {
     auto found = seen.find(triangle);
     if (found == seen.end()) {
-      const Corners corners = {shader.vertex(mesh, triangle, 0), shader.vertex(mesh, triangle, 1),
-                               shader.vertex(mesh, triangle, 2)};
+      const ShadedCorners corners = {shader.vertex(mesh, triangle, 0),
+                                     shader.vertex(mesh, triangle, 1),
+                                     shader.vertex(mesh, triangle, 2)};
       found = seen.emplace(triangle, corners).first;
     }
     return shader.fragment(surface_point<Shader::template Varyings>(found->second, pixel));
