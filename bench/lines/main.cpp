@@ -109,6 +109,32 @@ std::vector<Segment> segments_inside(std::size_t count, int length, Direction di
   return segments;
 }
 
+/// A way as plots and wireframes have them: each segment begins where the last one ended, and turns
+/// at the borders of the image.
+std::vector<Segment> polyline(std::size_t count, int length, const Image<Rgb8>& image) {
+  std::mt19937 random(1);
+  std::vector<Segment> segments;
+  Point from(0, 0);
+  // Too near to the middle no segment has room.
+  const auto leads_on = [&](const Point& p) {
+    return image.contains(p.x() + length - 1, 0) || image.contains(p.x() - length + 1, 0) ||
+           image.contains(0, p.y() + length - 1) || image.contains(0, p.y() - length + 1);
+  };
+  while (segments.size() < count) {
+    const double angle = random_number(random, 0, 2 * std::numbers::pi);
+    Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+    way *= (length - 1) / way.cwiseAbs().maxCoeff();
+    Point step = way.array().round().matrix().cast<int>();
+    if (!image.contains(from.x() + step.x(), 0)) step.x() = -step.x();
+    if (!image.contains(0, from.y() + step.y())) step.y() = -step.y();
+    const Point to = from + step;
+    if (!image.contains(to.x(), to.y()) || !leads_on(to)) continue;
+    segments.push_back({from, to});
+    from = to;
+  }
+  return segments;
+}
+
 /// Pixels that differ from those of the last rung, per million of those.
 double difference(const Image<Rgb8>& drawn, const std::vector<Segment>& segments) {
   Image<Rgb8> exact(drawn.width(), drawn.height());
@@ -177,6 +203,22 @@ TimedLadder race_of_calls(int length, Direction direction) {
                     one_by_one_rung(image, segments)}};
 }
 
+/// Every way to draw a list.
+std::vector<TimedRung> list_rungs(const std::shared_ptr<Image<Rgb8>>& image,
+                                  const std::vector<Segment>& segments) {
+  std::vector<TimedRung> rungs;
+  for (const LineListWay& way : line_list_ways()) {
+    const auto draw = [image, segments, draw_list = way.draw] {
+      draw_list(*image, segments, color);
+    };
+    rungs.push_back({.name = std::string("draw_line_list, ") + way.name,
+                     .fault = "none",
+                     .work = draw,
+                     .errors = judged(*image, segments, draw)});
+  }
+  return rungs;
+}
+
 /// The same of lists of ten million pixels, which are drawn by one call, too.
 TimedLadder race_of_lists(int length) {
   const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
@@ -188,16 +230,26 @@ TimedLadder race_of_lists(int length) {
                      .unit = "line",
                      .units = static_cast<double>(segments.size()),
                      .error = "different pixels per million",
-                     .rungs = {peer_rung(*image, segments)}};
-  for (const LineListWay& way : line_list_ways()) {
-    const auto draw = [image, segments, draw_list = way.draw] {
-      draw_list(*image, segments, color);
-    };
-    ladder.rungs.push_back({.name = std::string("draw_line_list, ") + way.name,
-                            .fault = "none",
-                            .work = draw,
-                            .errors = judged(*image, segments, draw)});
-  }
+                     .rungs = list_rungs(image, segments)};
+  ladder.rungs.insert(ladder.rungs.begin(), peer_rung(*image, segments));
+  return ladder;
+}
+
+/// Segments that follow each other, so that most of what one touches is in the nearest cache: by
+/// single calls and as a list.
+TimedLadder race_along_a_polyline(int length) {
+  const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
+  const auto count = static_cast<std::size_t>(10'000'000 / length);
+  const std::vector<Segment> segments = polyline(count, length, *image);
+  TimedLadder ladder{.name = "polyline of " + std::to_string(count) + " lines of " +
+                             std::to_string(length) + " pixels",
+                     .stage = "01",
+                     .unit = "line",
+                     .units = static_cast<double>(segments.size()),
+                     .error = "different pixels per million",
+                     .rungs = list_rungs(image, segments)};
+  ladder.rungs.insert(ladder.rungs.begin(),
+                      {peer_rung(*image, segments), one_by_one_rung(image, segments)});
   return ladder;
 }
 
@@ -208,6 +260,8 @@ std::vector<MakeLadder> ladders() {
       [] { return segment_ladder("20 within 50000 pixels", random_segments(20, 50000)); }};
   for (const int length : {10, 100, 1000})
     all.emplace_back([length] { return race_of_lists(length); });
+  for (const int length : {10, 100, 1000})
+    all.emplace_back([length] { return race_along_a_polyline(length); });
   for (const Direction direction : {Direction::any, Direction::flat, Direction::steep}) {
     for (const int length : {10, 100, 1000})
       all.emplace_back([length, direction] { return race_of_calls(length, direction); });
