@@ -38,7 +38,7 @@ Vector3<Number> phong(const Lighting& lighting, const Vector3<Number>& normal,
   const Vector3<Number> reflected(twice * normal.x() - light.x(), twice * normal.y() - light.y(),
                                   twice * normal.z() - light.z());
   const Number shine = Number(Lighting::specular) *
-                       power(maximum(dot(reflected, view), Number(0)), Number(Lighting::shininess));
+                       power(maximum(dot(reflected, view), Number(0)), Lighting::shininess);
   const Number lit =
       Number(Lighting::ambient) + Number(Lighting::diffuse) * maximum(cosine, Number(0));
   return {color.x() * lit + shine, color.y() * lit + shine, color.z() * lit + shine};

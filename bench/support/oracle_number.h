@@ -105,6 +105,10 @@ template <class Scalar>
 OracleNumber<Scalar> power(OracleNumber<Scalar> base, OracleNumber<Scalar> exponent) {
   return OracleNumber<Scalar>(power_of(base.value, exponent.value));
 }
+template <class Scalar>
+OracleNumber<Scalar> power(OracleNumber<Scalar> base, float exponent) {
+  return power(base, OracleNumber<Scalar>(exponent));
+}
 
 template <class Element, class Scalar>
 OracleNumber<Scalar> gather(const Element* array, OracleNumber<Scalar> index) {

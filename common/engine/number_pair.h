@@ -133,6 +133,10 @@ inline NumberPair log_2(NumberPair a) {
 inline NumberPair power(NumberPair base, NumberPair exponent) {
   return {power(base.low, exponent.low), power(base.high, exponent.high)};
 }
+inline NumberPair power(NumberPair base, float exponent) {
+  if (is_small_and_whole(exponent)) return power_by_squaring(base, static_cast<int>(exponent));
+  return power(base, NumberPair(exponent));
+}
 inline IntPair to_whole(NumberPair a) {
   return {to_whole(a.low), to_whole(a.high)};
 }
@@ -146,10 +150,6 @@ inline NumberPair gather(const std::array<float, 16>& table, NumberPair index) {
 
 inline Vector3<NumberPair> join(const Vector3<Number>& low, const Vector3<Number>& high) {
   return {{low.x(), high.x()}, {low.y(), high.y()}, {low.z(), high.z()}};
-}
-inline Vector3<NumberPair> normalized(const Vector3<NumberPair>& a) {
-  return join(normalized(Vector3<Number>(a.x().low, a.y().low, a.z().low)),
-              normalized(Vector3<Number>(a.x().high, a.y().high, a.z().high)));
 }
 inline Vector3<NumberPair> gather_texel(const std::uint32_t* texels, IntPair index) {
   return join(gather_texel(texels, index.low), gather_texel(texels, index.high));

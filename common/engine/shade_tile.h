@@ -22,6 +22,7 @@
 #include <bit>
 #include <concepts>
 #include <span>
+#include <utility>
 
 // One function without calls is 7 to 33 % faster, and takes five times as long to compile: done for
 // the instruction sets that are met with, where speed is what is compiled for.
@@ -68,6 +69,15 @@ class TileShading {
   using Point = SurfacePoint<Shader::template Varyings, N>;
   static constexpr int varying_count = number_count<Shader::template Varyings>();
 
+  template <class N>
+  static N& number_of(Varyings<N>& varyings, int i) {
+    return numbers<Shader::template Varyings, N>(varyings)[i];
+  }
+  template <class N>
+  static const N& number_of(const Varyings<N>& varyings, int i) {
+    return numbers<Shader::template Varyings, N>(varyings)[i];
+  }
+
   static void write_corners(const void* shader, const Mesh& mesh, std::uint32_t triangle, int first,
                             float* corners) {
     for (int i = 0; i < 3; ++i) {
@@ -79,7 +89,18 @@ class TileShading {
   }
   static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners};
 
-  using EachRecord = EachRecordOf<corner_varyings.record_size()>;
+  /// Calls `visit(i)` for the varyings' Numbers. Not a loop: only what is written out is dropped by
+  /// the compiler where the shader doesn't read it.
+  template <class Visit>
+  static void for_each_number(const Visit& visit) {
+    [&]<int... i>(std::integer_sequence<int, i...>) {
+      (visit(i), ...);
+    }
+    (std::make_integer_sequence<int, varying_count>());
+  }
+
+  using Table = RecordTable<corner_varyings.record_size()>;
+  using Records = EachRecord<corner_varyings.record_size()>;
 
   template <class Record>
   static Number at_0(const Record& r, int i) {
@@ -103,33 +124,146 @@ class TileShading {
     alignas(64) std::array<std::uint32_t, 64> packed = {};
   };
 
+  struct PairColors {
+    std::uint32_t discarded = 0;
+    alignas(64) std::array<std::uint32_t, 2 * lanes> packed;
+  };
+
   BlockColors shade_block(int block) const {
     BlockColors colors;
-    const std::span<const VisiblePart> parts = triangles_.parts(block);
-    BlockMask varying = 0;
-    for (const VisiblePart& part : parts) {
+    PartsOfBlock varying;
+    for (const VisiblePart& part : triangles_.parts(block)) {
       const ShadedTriangle& triangle = triangles_.triangle(part.slot);
       colors.mask |= part.mask;
       if (triangle.is_constant) {
         paint(triangle, part.mask, colors);
       } else {
-        varying |= part.mask;
+        varying.add(part);
       }
     }
-    for (int first = 0; first < 64; first += 2 * lanes) {
-      const std::uint32_t wanted = static_cast<std::uint32_t>(varying >> first) & all_pair_lanes;
-      if (wanted == 0) continue;
-      PartsOfVector low = triangles_.parts_of_vector(block, first);
-      PartsOfVector high = triangles_.parts_of_vector(block, first + lanes);
-      // Lanes that see nothing, while others do, see anything.
-      if (low.count == 0) low = high;
-      if (high.count == 0) high = low;
-      const PairColors pair = shade_pair(low, high, wanted);
-      const BlockMask here = BlockMask{wanted} << first;
-      write_pixels(pair.packed.data(), here, first, colors);
-      colors.kept |= here & ~(BlockMask{pair.discarded} << first);
-    }
+    if (varying.count > 0) shade_varying(block, varying, colors);
     return colors;
+  }
+
+  /// Triangles that aren't the same all over, and which of a block's pixels see them.
+  struct PartsOfBlock {
+    std::size_t count = 0;
+    BlockMask mask = 0;
+    std::array<VisiblePart, 64> part;
+
+    void add(const VisiblePart& one) {
+      part[count++] = one;
+      mask |= one.mask;
+    }
+    std::span<const VisiblePart> parts() const { return std::span(part).first(count); }
+  };
+
+  static std::uint32_t pair_at(BlockMask mask, int first) {
+    return static_cast<std::uint32_t>(mask >> first) & all_pair_lanes;
+  }
+
+  void shade_varying(int block, const PartsOfBlock& varying, BlockColors& colors) const {
+    if (varying.count <= most_by_themselves) {
+      shade_few(block, varying, colors);
+    } else {
+      shade_many(block, varying, colors);
+    }
+  }
+
+  void take(const PairColors& pair, std::uint32_t wanted, int first, BlockColors& colors) const {
+    const BlockMask here = BlockMask{wanted} << first;
+    write_pixels(pair.packed.data(), here, first, colors);
+    colors.kept |= here & ~(BlockMask{pair.discarded} << first);
+  }
+
+  /// Up to this many, each is interpolated by itself.
+  static constexpr std::size_t most_by_themselves = 2;
+
+  void shade_few(int block, const PartsOfBlock& varying, BlockColors& colors) const {
+    std::array<EdgesInBlock, most_by_themselves> edges;
+    for (std::size_t i = 0; i < varying.count; ++i) {
+      const VisiblePart& part = varying.part[i];
+      edges[i] = triangles_.edges_in_block(part.slot, block, std::countr_zero(part.mask));
+    }
+    for (int first = 0; first < 64; first += 2 * lanes) {
+      const std::uint32_t wanted = pair_at(varying.mask, first);
+      if (wanted == 0) continue;
+      PartsOfPair few;
+      few.first = first;
+      for (std::size_t i = 0; i < varying.count; ++i) {
+        const std::uint32_t here = pair_at(varying.part[i].mask, first);
+        if (here != 0) few.part[few.count++] = {varying.part[i].slot, here, &edges[i]};
+      }
+      take(shade_pair(&few, nullptr, nullptr, wanted), wanted, first, colors);
+    }
+  }
+
+  /// Their records in a table: one for the block, or, where it sees too many, one for each vector.
+  void shade_many(int block, const PartsOfBlock& varying, BlockColors& colors) const {
+    std::array<Table, 2> table;
+    const bool in_one = varying.count <= Table::most;
+    if (in_one) table[0].fill(triangles_, varying.parts());
+    for (int first = 0; first < 64; first += 2 * lanes) {
+      const std::uint32_t wanted = pair_at(varying.mask, first);
+      if (wanted == 0) continue;
+      const auto vector = [&](int pixel, Table& own) {
+        if (in_one) return seen_by(varying, block, pixel, table[0]);
+        const PartsOfBlock here = seen_in_vector(varying, pixel);
+        own.fill(triangles_, here.parts());
+        SeenByVector seen = seen_by(here, block, pixel, own);
+        seen.parts = varying.parts();
+        return seen;
+      };
+      const SeenByVector low = vector(first, table[0]);
+      const SeenByVector high = vector(first + lanes, table[1]);
+      take(shade_pair(nullptr, &low, &high, wanted), wanted, first, colors);
+    }
+  }
+
+  /// Where there are none, anything: lanes beside those that are wanted.
+  static PartsOfBlock seen_in_vector(const PartsOfBlock& varying, int first) {
+    PartsOfBlock here;
+    for (const VisiblePart& part : varying.parts()) {
+      if (lanes_at(part.mask, first) != 0) here.add(part);
+    }
+    if (here.count == 0) here.add(varying.part[0]);
+    return here;
+  }
+
+  static std::uint32_t lanes_at(BlockMask mask, int first) {
+    return static_cast<std::uint32_t>(mask >> first) & all_lanes;
+  }
+
+  /// What a vector of a block's pixels sees, or, without a block, triangles that are the same all
+  /// over, one per lane.
+  struct SeenByVector {
+    static constexpr int no_block = -1;
+
+    int block = no_block;
+    int first = 0;
+    const Table* table = nullptr;
+    Ints number_in_table = Ints(0);
+    std::uint32_t front = 0;
+    bool any_large = false;
+    std::span<const VisiblePart> parts;
+  };
+
+  SeenByVector seen_by(const PartsOfBlock& parts, int block, int first, const Table& table) const {
+    SeenByVector seen;
+    seen.block = block;
+    seen.first = first;
+    seen.table = &table;
+    seen.parts = parts.parts();
+    for (std::size_t i = 0; i < parts.count; ++i) {
+      const std::uint32_t here = lanes_at(parts.part[i].mask, first);
+      if (here == 0) continue;
+      const ShadedTriangle& triangle = triangles_.triangle(parts.part[i].slot);
+      seen.number_in_table =
+          select(truth_of(here), Ints(static_cast<std::int32_t>(i)), seen.number_in_table);
+      seen.front |= triangle.front ? here : 0;
+      seen.any_large = seen.any_large || triangle.is_large;
+    }
+    return seen;
   }
 
   /// Beside those of constant triangles.
@@ -142,15 +276,34 @@ class TileShading {
     }
   }
 
-  struct PairColors {
-    std::uint32_t discarded = 0;
-    alignas(64) std::array<std::uint32_t, 2 * lanes> packed = {};
+  /// Two vectors of a block's pixels that see a few triangles.
+  struct PartsOfPair {
+    struct Part {
+      std::int32_t slot;
+      std::uint32_t lanes;
+      const EdgesInBlock* edges;
+    };
+    int first = 0;
+    std::size_t count = 0;
+    std::array<Part, most_by_themselves> part;
   };
 
-  RASTERLAB_FLATTEN PairColors shade_pair(const PartsOfVector& low, const PartsOfVector& high,
-                                          std::uint32_t wanted) const {
+  /// Of `few`, or of any number in two vectors.
+  RASTERLAB_FLATTEN PairColors shade_pair(const PartsOfPair* few, const SeenByVector* low,
+                                          const SeenByVector* high, std::uint32_t wanted) const {
     PairColors colors;
-    const Fragment<NumberPair> fragment = shade(join(see(low), see(high)), wanted);
+    Point<NumberPair> point;
+    if (few != nullptr) {
+      point = see_part(few->part[0], few->first);
+      for (std::size_t i = 1; i < few->count; ++i) {
+        const std::uint32_t here = few->part[i].lanes;
+        point = chosen({truth_of(here), truth_of(here >> lanes)},
+                       see_part(few->part[i], few->first), point);
+      }
+    } else {
+      point = join(see(*low), see(*high));
+    }
+    const Fragment<NumberPair> fragment = shade(point, wanted);
     write_bytes(fragment.color, colors.packed.data());
     if constexpr (may_discard<Shader>) colors.discarded = bits_of(fragment.discarded);
     return colors;
@@ -187,12 +340,20 @@ class TileShading {
   }
 
   void shade_constant(std::span<const std::int32_t> slot) {
-    std::array<PartsOfVector, 2> seen;
-    for (std::size_t i = 0; i < 2 * lanes; ++i) {
-      seen[i / lanes].add(slot[std::min(i, slot.size() - 1)], 1U << i % lanes);
+    std::array<Table, 2> table;
+    std::array<SeenByVector, 2> seen;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      std::array<VisiblePart, lanes> part;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        part[lane] = {0, slot[std::min(i * lanes + lane, slot.size() - 1)]};
+        if (triangles_.triangle(part[lane].slot).front) seen[i].front |= 1U << lane;
+      }
+      table[i].fill(triangles_, part);
+      seen[i].table = &table[i];
+      seen[i].number_in_table = iota(0);
     }
     const std::uint32_t wanted = all_pair_lanes >> (2 * lanes - static_cast<int>(slot.size()));
-    const PairColors colors = shade_pair(seen[0], seen[1], wanted);
+    const PairColors colors = shade_pair(nullptr, &seen[0], &seen[1], wanted);
     for (std::size_t i = 0; i < slot.size(); ++i) {
       ShadedTriangle& triangle = triangles_.triangle(slot[i]);
       triangle.color = colors.packed[i];
@@ -203,27 +364,44 @@ class TileShading {
   // -------------------------------------------------------------------------------------------
   // What a pixel sees
 
-  /// Edge functions 1 and 2 and twice the area, exactly.
+  /// Edge functions, exactly; 0 is what the others leave of twice the area.
   struct Edges {
-    Doubles e1, e2, area;
+    Doubles e0, e1, e2;
   };
 
-  Point<Number> see(const PartsOfVector& seen) const {
-    if (seen.count == 1 && seen.block != PartsOfVector::no_block) {
-      const std::int32_t slot = seen.part[0].slot;
-      const OneRecord record(triangles_, slot);
-      return surface_point(seen.any_large ? large_edges_at(seen, slot) : edges_at(seen, record),
-                           record);
-    }
-    const EachRecord records(triangles_, seen);
-    if (seen.block == PartsOfVector::no_block) return constant_point(records);
+  Point<NumberPair> see_part(const typename PartsOfPair::Part& part, int first) const {
+    const OneRecord record(triangles_, part.slot);
+    const auto half = [&](int pixel) {
+      return surface_point(
+          {part.edges->at(0, pixel), part.edges->at(1, pixel), part.edges->at(2, pixel)}, record);
+    };
+    return join(half(first), half(first + lanes));
+  }
+
+  static Point<NumberPair> chosen(TruthPair condition, const Point<NumberPair>& if_true,
+                                  const Point<NumberPair>& if_false) {
+    return {chosen(condition, if_true.value, if_false.value),
+            chosen(condition, if_true.dx, if_false.dx), chosen(condition, if_true.dy, if_false.dy),
+            select(condition, if_true.front_facing, if_false.front_facing)};
+  }
+  static Varyings<NumberPair> chosen(TruthPair condition, const Varyings<NumberPair>& if_true,
+                                     const Varyings<NumberPair>& if_false) {
+    Varyings<NumberPair> result;
+    for_each_number([&](int i) {
+      number_of(result, i) = select(condition, number_of(if_true, i), number_of(if_false, i));
+    });
+    return result;
+  }
+
+  Point<Number> see(const SeenByVector& seen) const {
+    const Records records(*seen.table, seen.number_in_table, seen.front);
+    if (seen.block == SeenByVector::no_block) return constant_point(records);
     return surface_point(seen.any_large ? edges_of_each(seen) : edges_at(seen, records), records);
   }
 
-  static Point<Number> constant_point(const EachRecord& records) {
-    const CornerWeights<Number> anywhere = {Number(0), Number(0)};
-    Point<Number> point;
-    interpolate(anywhere, anywhere, anywhere, records, point);
+  static Point<Number> constant_point(const Records& records) {
+    Point<Number> point = {};
+    interpolate({Number(0), Number(0)}, records, point.value);
     point.front_facing = records.front_facing();
     return point;
   }
@@ -232,51 +410,38 @@ class TileShading {
   struct Place {
     Ints x, y;
   };
-  Place place_of(const PartsOfVector& seen) const {
+  Place place_of(const SeenByVector& seen) const {
     const auto [left, top] = triangles_.place_of_block(seen.block);
     const Ints pixel = iota(seen.first);
     return {(pixel & Ints(7)) + Ints(left), shift_right<3>(pixel) + Ints(top)};
   }
 
-  template <class Record>
-  Edges edges_at(const PartsOfVector& seen, const Record& r) const {
+  Edges edges_at(const SeenByVector& seen, const Records& r) const {
     const Place place = place_of(seen);
     const auto edge = [&](int at_first, int step_x, int step_y) {
       return to_doubles(r.integer(at_first) +
                         shift_left<8>(place.x * r.integer(step_x) + place.y * r.integer(step_y)));
     };
-    return {edge(word::edge1, word::step1_x, word::step1_y),
-            edge(word::edge2, word::step2_x, word::step2_y), r.integer_as_doubles(word::area)};
-  }
-
-  Edges large_edges_at(const PartsOfVector& seen, std::int32_t slot) const {
-    const OneRecord record(triangles_, slot);
-    const auto& at_first = triangles_.triangle(slot).edges;
-    const Place place = place_of(seen);
-    const Doubles x = to_doubles(shift_left<8>(place.x));
-    const Doubles y = to_doubles(shift_left<8>(place.y));
-    const auto edge = [&](std::size_t i, int step_x, int step_y) {
-      return Doubles(at_first[i]) +
-             (x * record.integer_as_doubles(step_x) + y * record.integer_as_doubles(step_y));
-    };
-    return {edge(0, word::step1_x, word::step1_y), edge(1, word::step2_x, word::step2_y),
-            Doubles(at_first[2])};
+    const Doubles e1 = edge(word::edge1, word::step1_x, word::step1_y);
+    const Doubles e2 = edge(word::edge2, word::step2_x, word::step2_y);
+    return {r.integer_as_doubles(word::area) - (e1 + e2), e1, e2};
   }
 
   /// When some are large.
-  [[gnu::noinline]] Edges edges_of_each(const PartsOfVector& seen) const {
+  [[gnu::noinline]] Edges edges_of_each(const SeenByVector& seen) const {
     alignas(64) std::array<std::array<double, lanes>, 3> each = {};
-    for (const PartOfVector& part : seen.parts()) {
-      const Edges edges = triangles_.triangle(part.slot).is_large
-                              ? large_edges_at(seen, part.slot)
-                              : edges_at(seen, OneRecord(triangles_, part.slot));
-      alignas(64) std::array<std::array<double, lanes>, 3> own;
-      store(edges.e1, own[0].data());
-      store(edges.e2, own[1].data());
-      store(edges.area, own[2].data());
-      for (std::uint32_t rest = part.lanes; rest != 0; rest &= rest - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        for (std::size_t e = 0; e < 3; ++e) each[e][lane] = own[e][lane];
+    for (const VisiblePart& part : seen.parts) {
+      const std::uint32_t here = lanes_at(part.mask, seen.first);
+      if (here == 0) continue;
+      const EdgesInBlock edges =
+          triangles_.edges_in_block(part.slot, seen.block, std::countr_zero(part.mask));
+      for (std::size_t e = 0; e < 3; ++e) {
+        alignas(64) std::array<double, lanes> own;
+        store(edges.at(e, seen.first), own.data());
+        for (std::uint32_t rest = here; rest != 0; rest &= rest - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+          each[e][lane] = own[lane];
+        }
       }
     }
     return {load(each[0].data()), load(each[1].data()), load(each[2].data())};
@@ -284,62 +449,64 @@ class TileShading {
 
   template <class Record>
   static Point<Number> surface_point(const Edges& edges, const Record& r) {
-    const Number ratio1 = r.number(word::ratio1);
-    const Number ratio2 = r.number(word::ratio2);
     const Doubles q1 = edges.e1 * r.number_as_doubles(word::ratio1);
     const Doubles q2 = edges.e2 * r.number_as_doubles(word::ratio2);
-    const Doubles inverse = Doubles(1) / ((edges.area - (edges.e1 + edges.e2)) + (q1 + q2));
+    const Doubles inverse = Doubles(1) / (edges.e0 + (q1 + q2));
     const CornerWeights<Number> weights = {to_number(q1 * inverse), to_number(q2 * inverse)};
-    // (q1 / Q)' = (q1' − b1 · Q') / Q
-    const auto derivative = [&](int step1, int step2) {
-      const Number e1 = as_numbers(r.integer(step1)) * Number(256);
-      const Number e2 = as_numbers(r.integer(step2)) * Number(256);
-      const Number dq1 = e1 * ratio1;
-      const Number dq2 = e2 * ratio2;
-      const Number sum = (dq1 - e1) + (dq2 - e2);
-      const Number over = to_number(inverse);
-      return CornerWeights<Number>{(dq1 - weights.b1 * sum) * over,
-                                   (dq2 - weights.b2 * sum) * over};
-    };
     Point<Number> point;
-    interpolate(weights, derivative(word::step1_x, word::step2_x),
-                derivative(word::step1_y, word::step2_y), r, point);
+    interpolate(weights, r, point.value);
+    differentiate(derivative(r, word::step1_x, word::step2_x), weights, to_number(inverse), r,
+                  point.dx);
+    differentiate(derivative(r, word::step1_y, word::step2_y), weights, to_number(inverse), r,
+                  point.dy);
     point.front_facing = r.front_facing();
     return point;
   }
 
+  /// Of q_1, q_2 and the sum of all q.
+  struct Derivatives {
+    Number q1, q2, sum;
+  };
   template <class Record>
-  static void interpolate(const CornerWeights<Number>& value, const CornerWeights<Number>& dx,
-                          const CornerWeights<Number>& dy, const Record& r, Point<Number>& point) {
-    if constexpr (varying_count > 0) {
-      for (int i = 0; i < varying_count; ++i) {
-        const Number d1 = to_1(r, i);
-        const Number d2 = to_2(r, i);
-        numbers<Shader::template Varyings, Number>(point.value)[i] =
-            at_0(r, i) + (value.b1 * d1 + value.b2 * d2);
-        numbers<Shader::template Varyings, Number>(point.dx)[i] = dx.b1 * d1 + dx.b2 * d2;
-        numbers<Shader::template Varyings, Number>(point.dy)[i] = dy.b1 * d1 + dy.b2 * d2;
-      }
-    }
+  static Derivatives derivative(const Record& r, int step1, int step2) {
+    const Number e1 = as_numbers(r.integer(step1)) * Number(256);
+    const Number e2 = as_numbers(r.integer(step2)) * Number(256);
+    const Number q1 = e1 * r.number(word::ratio1);
+    const Number q2 = e2 * r.number(word::ratio2);
+    return {q1, q2, (q1 - e1) + (q2 - e2)};
+  }
+
+  template <class Record>
+  static Number difference(const CornerWeights<Number>& weights, const Record& r, int i) {
+    return weights.b1 * to_1(r, i) + weights.b2 * to_2(r, i);
+  }
+
+  template <class Record>
+  static void interpolate(const CornerWeights<Number>& weights, const Record& r,
+                          Varyings<Number>& value) {
+    for_each_number([&](int i) { number_of(value, i) = at_0(r, i) + difference(weights, r, i); });
+  }
+
+  /// With a = a0 + (q1·d1 + q2·d2) / Q: a' = (q1'·d1 + q2'·d2 − (a − a0)·Q') / Q.
+  template <class Record>
+  static void differentiate(const Derivatives& d, const CornerWeights<Number>& weights,
+                            Number inverse, const Record& r, Varyings<Number>& result) {
+    for_each_number([&](int i) {
+      const Number steps = d.q1 * to_1(r, i) + d.q2 * to_2(r, i);
+      number_of(result, i) = (steps - difference(weights, r, i) * d.sum) * inverse;
+    });
   }
 
   static Point<NumberPair> join(const Point<Number>& low, const Point<Number>& high) {
-    Point<NumberPair> both;
-    join(low.value, high.value, both.value);
-    join(low.dx, high.dx, both.dx);
-    join(low.dy, high.dy, both.dy);
-    both.front_facing = {low.front_facing, high.front_facing};
-    return both;
+    return {join(low.value, high.value),
+            join(low.dx, high.dx),
+            join(low.dy, high.dy),
+            {low.front_facing, high.front_facing}};
   }
-  static void join(const Varyings<Number>& low, const Varyings<Number>& high,
-                   Varyings<NumberPair>& both) {
-    if constexpr (varying_count > 0) {
-      for (int i = 0; i < varying_count; ++i) {
-        numbers<Shader::template Varyings, NumberPair>(both)[i] = {
-            numbers<Shader::template Varyings, Number>(low)[i],
-            numbers<Shader::template Varyings, Number>(high)[i]};
-      }
-    }
+  static Varyings<NumberPair> join(const Varyings<Number>& low, const Varyings<Number>& high) {
+    Varyings<NumberPair> both;
+    for_each_number([&](int i) { number_of(both, i) = {number_of(low, i), number_of(high, i)}; });
+    return both;
   }
 
   // -------------------------------------------------------------------------------------------
@@ -381,15 +548,12 @@ class TileShading {
   using Lanes = std::array<float, static_cast<std::size_t>(2 * lanes)>;
 
   static void copy_lane(const Varyings<NumberPair>& from, std::size_t lane, Varyings<float>& to) {
-    if constexpr (varying_count > 0) {
-      for (int i = 0; i < varying_count; ++i) {
-        const NumberPair& number = numbers<Shader::template Varyings, NumberPair>(from)[i];
-        Lanes values;
-        store(number.low, values.data());
-        store(number.high, values.data() + lanes);
-        numbers<Shader::template Varyings, float>(to)[i] = values[lane];
-      }
-    }
+    for_each_number([&](int i) {
+      Lanes values;
+      store(number_of(from, i).low, values.data());
+      store(number_of(from, i).high, values.data() + lanes);
+      number_of(to, i) = values[lane];
+    });
   }
 
   /// [0, 1] to 0…255 as to_byte() does; not a number becomes 0.

@@ -2,8 +2,7 @@
 // shader, and so needn't be compiled with each.
 //
 // Each triangle gets a slot. A block of 8×8 pixels is a list of parts: a slot, and which pixels
-// show its triangle. Most blocks have one to three; where all of a vector's pixels show the same,
-// nothing has to be gathered.
+// show its triangle.
 //
 // What shading needs to know of a triangle is a record of 32-bit words, its slot's:
 //
@@ -49,32 +48,18 @@ struct CornerVaryings {
   constexpr int record_size() const { return (word::count + 3 * count + 3) / 4 * 4; }
 };
 
-/// A triangle, and which of a vector's pixels see it.
-struct PartOfVector {
-  std::int32_t slot;
-  std::uint32_t lanes;
+/// A triangle's edge functions all over a block, exactly: a pixel's is what its column has plus
+/// what its row has. Number 0 is what 1 and 2 leave of twice the area.
+struct EdgesInBlock {
+  alignas(64) std::array<std::array<double, 8>, 3> column;
+  alignas(64) std::array<std::array<double, 8>, 3> row;
+
+  Doubles at(std::size_t edge, int first_pixel) const {
+    return sums_of_block(column[edge].data(), row[edge].data(), first_pixel);
+  }
 };
 
 inline constexpr std::uint32_t all_lanes = 0xFFFFFFFFU >> (32 - lanes);
-
-/// As many pixels of a block as there are lanes, beginning with pixel `first`, and the triangles
-/// they see; or, without a block, triangles that are the same all over, one per lane.
-struct PartsOfVector {
-  static constexpr int no_block = -1;
-
-  int block = no_block;
-  int first = 0;
-  int count = 0;
-  bool any_large = false;
-  std::array<PartOfVector, lanes> part = {};
-
-  void add(std::int32_t slot, std::uint32_t lanes_of_it) {
-    part[static_cast<std::size_t>(count++)] = {slot, lanes_of_it};
-  }
-  std::span<const PartOfVector> parts() const {
-    return std::span(part).first(static_cast<std::size_t>(count));
-  }
-};
 
 class VisibleTriangles {
  public:
@@ -101,8 +86,8 @@ class VisibleTriangles {
     return std::span(scratch_.part).subspan(first, scratch_.parts_end[b] - first);
   }
 
-  /// The same for a vector of its pixels, without triangles that are the same all over.
-  PartsOfVector parts_of_vector(int block, int first) const;
+  /// Of a triangle that `pixel` of the block sees.
+  EdgesInBlock edges_in_block(std::int32_t slot, int block, int pixel) const;
 
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;

@@ -383,19 +383,39 @@ BlockMask VisibleTriangles::covered(const std::array<SnappedCorner, 3>& corner, 
 // ---------------------------------------------------------------------------------------------
 // For shading
 
-PartsOfVector VisibleTriangles::parts_of_vector(int block, int first) const {
-  PartsOfVector found;
-  found.block = block;
-  found.first = first;
-  for (const VisiblePart& part : parts(block)) {
-    if (found.count == lanes) break;
-    const std::uint32_t here = static_cast<std::uint32_t>(part.mask >> first) & all_lanes;
-    const ShadedTriangle& shaded = triangle(part.slot);
-    if (here == 0 || shaded.is_constant) continue;
-    found.add(part.slot, here);
-    found.any_large = found.any_large || shaded.is_large;
-  }
-  return found;
+EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block, int pixel) const {
+  const float* words = record(slot);
+  const ShadedTriangle& shaded = triangle(slot);
+  const auto integer = [words](int i) { return std::bit_cast<std::int32_t>(words[i]); };
+  const Place corner = place_of_block(block);
+  const int x = pixel & 7;
+  const int y = pixel >> 3;
+  const auto at_pixel = [&](std::size_t e, int at_first, int step_x, int step_y) {
+    if (shaded.is_large) {
+      return shaded.edges[e - 1] + 256.0 * (static_cast<double>(integer(step_x)) * (corner.x + x) +
+                                            static_cast<double>(integer(step_y)) * (corner.y + y));
+    }
+    const auto word = [&](int i) { return static_cast<std::uint32_t>(integer(i)); };
+    const std::uint32_t steps = word(step_x) * static_cast<std::uint32_t>(corner.x + x) +
+                                word(step_y) * static_cast<std::uint32_t>(corner.y + y);
+    return static_cast<double>(static_cast<std::int32_t>(word(at_first) + 256 * steps));
+  };
+  EdgesInBlock edges;
+  const auto set = [&](std::size_t e, double here, double step_x, double step_y) {
+    for (int i = 0; i < 8; ++i) {
+      edges.column[e][static_cast<std::size_t>(i)] = step_x * (i - x);
+      edges.row[e][static_cast<std::size_t>(i)] = here + step_y * (i - y);
+    }
+  };
+  const double area = shaded.is_large ? shaded.edges[2] : integer(word::area);
+  const double e1 = at_pixel(1, word::edge1, word::step1_x, word::step1_y);
+  const double e2 = at_pixel(2, word::edge2, word::step2_x, word::step2_y);
+  const auto step = [&](int i) { return 256.0 * integer(i); };
+  set(0, area - (e1 + e2), -(step(word::step1_x) + step(word::step2_x)),
+      -(step(word::step1_y) + step(word::step2_y)));
+  set(1, e1, step(word::step1_x), step(word::step1_y));
+  set(2, e2, step(word::step2_x), step(word::step2_y));
+  return edges;
 }
 
 namespace {

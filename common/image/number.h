@@ -54,7 +54,7 @@ inline float magnitude(float a) {
   return std::fabs(a);
 }
 
-/// base^exponent for base ≥ 0.
+/// base^exponent for base ≥ 0. With a float for exponent, if whole, wide numbers are quicker.
 inline float power(float base, float exponent) {
   return std::pow(base, exponent);
 }

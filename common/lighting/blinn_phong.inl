@@ -14,7 +14,7 @@ Reflection<Number> blinn_phong(const Vector3<Number>& normal, const Vector3<Numb
       to_light.x() + to_eye.x(), to_light.y() + to_eye.y(), to_light.z() + to_eye.z()));
   const Number half_way = dot(normal, half);
   const Number highlight = select(minimum(facing, half_way) > zero,
-                                  power(maximum(half_way, zero), Number(material.shininess)), zero);
+                                  power(maximum(half_way, zero), material.shininess), zero);
   return {Number(light.ambient_intensity * material.ambient),
           Number(light.intensity * material.diffuse) * maximum(facing, zero),
           Number(light.intensity * material.specular) * highlight};

@@ -12,7 +12,7 @@ Reflection<Number> phong(const Vector3<Number>& normal, const Vector3<Number>& t
   const Number facing = dot(normal, to_light);
   const Number mirrored = Number(2) * facing * dot(normal, to_eye) - dot(to_light, to_eye);  // r·e
   const Number highlight = select(minimum(facing, mirrored) > zero,
-                                  power(maximum(mirrored, zero), Number(material.shininess)), zero);
+                                  power(maximum(mirrored, zero), material.shininess), zero);
   return {Number(light.ambient_intensity * material.ambient),
           Number(light.intensity * material.diffuse) * maximum(facing, zero),
           Number(light.intensity * material.specular) * highlight};

@@ -40,6 +40,24 @@ struct EncodeShader {
   }
 };
 
+/// base^exponent, encoded; the exponent the same everywhere.
+struct UniformPowerShader {
+  float base;
+  float exponent;
+
+  template <class Number>
+  struct Varyings {
+    Number base;
+  };
+
+  Varyings<float> vertex(const Mesh&, std::uint32_t, int) const { return {base}; }
+
+  template <class Number>
+  Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    return encode(power(point.value.base, exponent));
+  }
+};
+
 inline double decode(int red, int green, int blue) {
   return (red * 65536.0 + green * 256.0 + blue) / 16777215.0;
 }

@@ -137,5 +137,31 @@ TEST(engine_precision, depth_and_attributes_against_float128) {
   }
 }
 
+/// Each product is rounded once, and exponent − 1 of them are in the result.
+TEST(engine_precision, whole_powers_against_float128) {
+  const Case cover = {{{{-4, -4, 0, 1}, {4, -4, 0, 1}, {0, 4, 0, 1}}}, {}};
+  const PreparedMesh mesh(unit_mesh());
+  Random random;
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    Renderer renderer({.threads = 1, .simd = simd, .skip = {}});
+    for (const int exponent : {0, 1, 2, 7, 10, 128, 1000, 1024}) {
+      for (const float low : {0.0F, 0.5F, 0.99F, 1.0F}) {
+        const float base = random.number(low, 1);
+        const UniformPowerShader shader = {base, static_cast<float>(exponent)};
+        Framebuffer frame(8, 8);
+        renderer.draw({.mesh = &mesh, .matrix = matrix_of(cover), .shading = shading(shader)},
+                      frame);
+        Exact power = 1;
+        for (int i = 0; i < exponent; ++i) power *= base;
+        const Rgb8& pixel = frame.color()(4, 4);
+        const auto error = static_cast<double>(decode(pixel.r, pixel.g, pixel.b) - power);
+        EXPECT_LE(std::abs(error), exponent * 0x1p-24 * static_cast<double>(power) + 0x1.8p-24)
+            << base << " to the power of " << exponent;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rasterlab

@@ -24,7 +24,7 @@ struct BusyShader {
   Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
     const Vector3<Number> normal = normalized(point.value.normal);
     const Number facing = maximum(normal.z(), Number(0));
-    const Number shine = power(facing, Number(10));
+    const Number shine = power(facing, Number(2.5F)) * power(facing, 10.0F);
     const Number stripes =
         point.value.position.x() * Number(8) - round_down(point.value.position.x() * Number(8));
     const Number slope = log_2(magnitude(point.dx.position.x()) + Number(1e-6F)) * Number(-0.05F);

@@ -116,6 +116,18 @@ TEST(stage06_sample_bilinear, agrees_with_exact_arithmetic) {
   }
 }
 
+TEST(stage06_sample_bilinear, gives_back_every_code_and_white_as_1) {
+  for (int code = 0; code < 256; ++code) {
+    const auto byte = static_cast<std::uint8_t>(code);
+    const Texture texture(Image<Rgb8>(2, 2, {byte, byte, byte}));
+    const Footprint<float> anywhere = {{0.3F, 0.6F}, {0, 0}, {0, 0}};
+    const float value = sample_bilinear(texture, Wrap::repeat, anywhere).x();
+    EXPECT_NEAR(value, static_cast<float>(code) / 255, 1.2e-7 * value);
+    EXPECT_EQ(to_byte(value), byte);
+    EXPECT_EQ(value == 1, code == 255);
+  }
+}
+
 TEST(stage06_sample_bilinear, at_a_texels_centre_it_is_that_texel) {
   const Image<Rgb8> image = noise(8, 4, 7);
   const Texture texture(image);

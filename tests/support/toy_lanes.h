@@ -115,6 +115,10 @@ RASTERLAB_TOY_FUNCTION_OF_TWO(maximum)
 RASTERLAB_TOY_FUNCTION_OF_TWO(power)
 #undef RASTERLAB_TOY_FUNCTION
 #undef RASTERLAB_TOY_FUNCTION_OF_TWO
+template <int Lanes>
+ToyLanes<Lanes> power(const ToyLanes<Lanes>& base, float exponent) {
+  return power(base, ToyLanes<Lanes>(exponent));
+}
 
 template <class Element, int Lanes>
 ToyLanes<Lanes> gather(const Element* array, const ToyLanes<Lanes>& index) {
