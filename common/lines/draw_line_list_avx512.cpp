@@ -83,8 +83,8 @@ RASTERLAB_AVX512 inline __m256i coordinates(const Segment* segments, int which) 
       _mm512_loadu_si512(segments), places, _mm512_loadu_si512(segments + at_once / 2)));
 }
 
-RASTERLAB_AVX512 inline EightSegments eight_segments(const Segment* segments,
-                                                     const Image<Rgb8>& image) {
+RASTERLAB_AVX512 inline EightSegments eight_segments(const Image<Rgb8>& image,
+                                                     const Segment* segments) {
   const __m256i x0 = coordinates(segments, 0);
   const __m256i y0 = coordinates(segments, 1);
   const __m256i x1 = coordinates(segments, 2);
@@ -253,7 +253,7 @@ RASTERLAB_AVX512 DrawnLines mark(Image<Rgb8>& image, std::span<const Segment> se
       std::copy_n(from, count, last_ones.begin());
       from = last_ones.data();
     }
-    const EightSegments eight = eight_segments(from, image);
+    const EightSegments eight = eight_segments(image, from);
     make_walks(eight, marks, walks);
     for (std::size_t i = 0; i < count; ++i) {
       std::int64_t pixels = walks.major[i] + 1;
@@ -355,13 +355,13 @@ class Brush {
   }
 
   RASTERLAB_AVX512 void paint(Rgb8* first, std::uint64_t marked) const {
-    auto* to = reinterpret_cast<std::uint8_t*>(first);
+    auto* bytes = reinterpret_cast<std::uint8_t*>(first);
     const __m512i word = _mm512_set1_epi64(static_cast<std::int64_t>(marked));
     for (const Part& part : parts_) {
       const __mmask64 painted =
           _mm512_test_epi8_mask(_mm512_shuffle_epi8(word, part.byte_of_word), part.bit_of_byte);
-      _mm512_mask_storeu_epi8(to, painted, part.color);
-      to += part_size;
+      _mm512_mask_storeu_epi8(bytes, painted, part.color);
+      bytes += part_size;
     }
   }
 
