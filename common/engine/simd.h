@@ -264,7 +264,9 @@ inline Ints round_to_ints(Number a) {
 #elif HWY_TARGET == HWY_AVX2
   return Ints(hn::Vec<IntTag>{_mm256_cvtps_epi32(a.v.raw)});
 #else
-  return Ints(hn::NearestInt(a.v));
+  // Not beyond the last float below 2^31: Highway's one lane converts 2^31 itself, undefined in
+  // C++.
+  return Ints(hn::NearestInt(hn::Min(a.v, hn::Set(FloatTag(), 0x1.fffffep30F))));
 #endif
 }
 inline Ints bit_pattern(Number a) {
