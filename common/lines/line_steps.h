@@ -37,9 +37,12 @@ class LineSteps {
   /// The steps whose pixel has low ≤ y ≤ high.
   StepRange in_rows(std::int64_t low, std::int64_t high) const { return along(1, low, high); }
 
-  /// The steps whose pixel is inside a width × height image.
-  StepRange inside(int width, int height) const {
-    return intersection(along(0, 0, width - 1), along(1, 0, height - 1));
+  /// The steps whose pixel is inside a width × height image, or beside it by at most `border`
+  /// pixels: with 1, all that have a pixel inside where a line takes the other of two equally near
+  /// ones.
+  StepRange inside(int width, int height, int border = 0) const {
+    return intersection(along(0, -border, width - 1 + border),
+                        along(1, -border, height - 1 + border));
   }
 
  private:

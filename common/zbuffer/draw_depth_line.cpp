@@ -8,8 +8,8 @@ namespace rasterlab {
 
 void draw_depth_line(Image<Rgb8>& image, DepthBuffer& depth, const LineEnd& a, const LineEnd& b) {
   // <solution>
-  const StepRange visible = LineSteps(a.pixel, b.pixel).inside(image.width(), image.height());
-  const LineDiscrete line = line_all_octants(a.pixel, b.pixel, visible);
+  const StepRange near = LineSteps(a.pixel, b.pixel).inside(image.width(), image.height(), 1);
+  const LineDiscrete line = line_all_octants(a.pixel, b.pixel, near);
   const LineInterpolation weights(line, a.pixel, b.pixel);
   for (std::size_t i = 0; i < line.size(); ++i) {
     const auto weight = static_cast<float>(weights[i]);

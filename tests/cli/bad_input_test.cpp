@@ -174,15 +174,5 @@ TEST(cli_bad_input, an_older_result_survives_a_failed_run) {
   }
 }
 
-TEST(cli_bad_input, several_results_for_one_file_leave_it_as_it_was) {
-  if (!fs::exists(program("01_lines"))) GTEST_SKIP() << "01_lines is not in this tree";
-  const ScratchFolder scratch;
-  const std::vector<std::string> two_results{"--exercise", "01.2", "--out", "one.png"};
-  expect_refusal("01_lines", two_results, 2);
-  write_file(scratch / "one.png", "what was there");
-  EXPECT_EQ(run("01_lines", two_results, scratch.path()).exit_status, 2);
-  EXPECT_EQ(read_file(scratch / "one.png"), "what was there");
-}
-
 }  // namespace
 }  // namespace rasterlab::cli

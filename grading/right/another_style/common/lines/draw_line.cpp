@@ -8,11 +8,7 @@
 namespace rasterlab {
 
 void draw_line(Image<Rgb8>& image, const Point& p0, const Point& p1, const Rgb8& color) {
-  const LineSteps segment(p0, p1);
-  const StepRange inside = segment.inside(image.width(), image.height());
-  if (inside.empty()) return;
-  // One step more at each end: of two equally near pixels this line may have the one inside.
-  const StepRange seen = intersection({inside.first - 1, inside.last + 1}, {0, segment.last()});
+  const StepRange seen = LineSteps(p0, p1).inside(image.width(), image.height(), 1);
   const LineDiscrete line = line_all_octants(p0, p1, seen);
   for (std::size_t left = 0, right = line.size(); left < right; ++left) {
     for (const Point& pixel : {line[left], line[--right]}) {

@@ -11,9 +11,9 @@ void draw_triangle_wireframe(Image<Rgb8>& image, const std::array<Point, 3>& cor
                              const Rgb8& color) {
   for (std::size_t i = 3; i-- > 0;) {
     const LineSteps side(corners[i], corners[(i + 1) % 3]);
-    const StepRange seen = side.inside(image.width(), image.height());
+    const StepRange seen = side.inside(image.width(), image.height(), 1);
     for (const Point& pixel : line_all_octants(corners[i], corners[(i + 1) % 3], seen)) {
-      image(pixel.x(), pixel.y()) = color;
+      if (image.contains(pixel.x(), pixel.y())) image(pixel.x(), pixel.y()) = color;
     }
   }
 }

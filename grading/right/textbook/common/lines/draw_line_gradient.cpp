@@ -11,10 +11,11 @@ namespace rasterlab {
 
 void draw_line_gradient(Image<Rgb8>& image, const Point& p0, const Color& c0, const Point& p1,
                         const Color& c1) {
-  const StepRange seen = LineSteps(p0, p1).inside(image.width(), image.height());
+  const StepRange seen = LineSteps(p0, p1).inside(image.width(), image.height(), 1);
   const LineDiscrete line = line_all_octants(p0, p1, seen);
   const LineInterpolation alpha(line, p0, p1);
   for (std::size_t i = 0; i < line.size(); i++) {
+    if (!image.contains(line[i].x(), line[i].y())) continue;
     image(line[i].x(), line[i].y()) = to_rgb8(c0 + static_cast<float>(alpha[i]) * (c1 - c0));
   }
 }
