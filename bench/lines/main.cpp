@@ -219,38 +219,42 @@ std::vector<TimedRung> list_rungs(const std::shared_ptr<Image<Rgb8>>& image,
   return rungs;
 }
 
-/// The same of lists of ten million pixels, which are drawn by one call, too.
-TimedLadder race_of_lists(int length) {
-  const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
-  const auto count = static_cast<std::size_t>(10'000'000 / length);
-  const std::vector<Segment> segments = segments_inside(count, length, Direction::any, *image);
-  TimedLadder ladder{.name = "list of " + std::to_string(count) + " lines of " +
-                             std::to_string(length) + " pixels, any direction",
+/// Of segments that lists take by one call: OpenCV, `single_calls`, and every way to draw a list.
+TimedLadder race_of_lists(const std::string& name, const std::shared_ptr<Image<Rgb8>>& image,
+                          const std::vector<Segment>& segments,
+                          const std::vector<TimedRung>& single_calls) {
+  TimedLadder ladder{.name = name,
                      .stage = "01",
                      .unit = "line",
                      .units = static_cast<double>(segments.size()),
                      .error = "different pixels per million",
-                     .rungs = list_rungs(image, segments)};
-  ladder.rungs.insert(ladder.rungs.begin(), peer_rung(*image, segments));
+                     .rungs = {peer_rung(*image, segments)}};
+  for (const std::vector<TimedRung>& rungs : {single_calls, list_rungs(image, segments)})
+    ladder.rungs.insert(ladder.rungs.end(), rungs.begin(), rungs.end());
   return ladder;
 }
 
-/// Segments that follow each other, so that most of what one touches is in the nearest cache: by
-/// single calls and as a list.
+/// How many segments have ten million pixels.
+std::size_t count_of_long_list(int length) {
+  return static_cast<std::size_t>(10'000'000 / length);
+}
+
+TimedLadder race_anywhere(int length) {
+  const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
+  const std::size_t count = count_of_long_list(length);
+  return race_of_lists("list of " + std::to_string(count) + " lines of " + std::to_string(length) +
+                           " pixels, any direction",
+                       image, segments_inside(count, length, Direction::any, *image), {});
+}
+
+/// Segments that follow each other, so that most of what one touches is in the nearest cache.
 TimedLadder race_along_a_polyline(int length) {
   const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
-  const auto count = static_cast<std::size_t>(10'000'000 / length);
+  const std::size_t count = count_of_long_list(length);
   const std::vector<Segment> segments = polyline(count, length, *image);
-  TimedLadder ladder{.name = "polyline of " + std::to_string(count) + " lines of " +
-                             std::to_string(length) + " pixels",
-                     .stage = "01",
-                     .unit = "line",
-                     .units = static_cast<double>(segments.size()),
-                     .error = "different pixels per million",
-                     .rungs = list_rungs(image, segments)};
-  ladder.rungs.insert(ladder.rungs.begin(),
-                      {peer_rung(*image, segments), one_by_one_rung(image, segments)});
-  return ladder;
+  return race_of_lists(
+      "polyline of " + std::to_string(count) + " lines of " + std::to_string(length) + " pixels",
+      image, segments, {one_by_one_rung(image, segments)});
 }
 
 std::vector<MakeLadder> ladders() {
@@ -259,7 +263,7 @@ std::vector<MakeLadder> ladders() {
       [] { return segment_ladder("1000 within 500 pixels", random_segments(1000, 500)); },
       [] { return segment_ladder("20 within 50000 pixels", random_segments(20, 50000)); }};
   for (const int length : {10, 100, 1000})
-    all.emplace_back([length] { return race_of_lists(length); });
+    all.emplace_back([length] { return race_anywhere(length); });
   for (const int length : {10, 100, 1000})
     all.emplace_back([length] { return race_along_a_polyline(length); });
   for (const Direction direction : {Direction::any, Direction::flat, Direction::steep}) {

@@ -139,43 +139,61 @@ inline void walk_thin(const Tile& tile, ThinLanes t, Ints key, HitList& hits) {
   }
 }
 
-/// The lines of a tile that a sliver may have samples on: those it reaches, but not where it is
-/// beside the tile.
-inline ThinInTile in_tile(const LargeTriangle& triangle, const Tile& tile) {
+/// A sliver's box in one tile, along its lines and across them, from the tile's corner.
+struct ThinBox {
+  std::array<int, 3> along, across;  ///< the corners, 1/256 pixel
+  int lines, pixels;                 ///< how many the tile has
+};
+
+inline ThinBox box_in_tile(const LargeTriangle& triangle, const Tile& tile) {
   const auto [left, right] = std::minmax({triangle.x[0], triangle.x[1], triangle.x[2]});
   const auto [top, bottom] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
   const bool steep = bottom - top > right - left;
-  const auto& along = steep ? triangle.y : triangle.x;
-  const auto& across = steep ? triangle.x : triangle.y;
-  const int origin_along = (steep ? tile.top : tile.left) * 256;
-  const int origin_across = (steep ? tile.left : tile.top) * 256;
-  const int lines = steep ? tile.height : tile.width;
-  const int pixels = steep ? tile.width : tile.height;
-  const int start = (steep ? top : left) - origin_along;
-  const int end = (steep ? bottom : right) - origin_along;
-  int first = std::max((start + 127) >> 8, 0);
-  int last = std::min((end - 128) >> 8, lines - 1);
-  // Where its longest side, and so all of it, is farther away than it is wide, and a trifle.
-  const auto at = [&](int where) {
-    const std::size_t i = along[0] - origin_along == where   ? 0
-                          : along[1] - origin_along == where ? 1
-                                                             : 2;
-    return static_cast<float>(across[i] - origin_across);
-  };
-  const float from = at(start);
-  const float rise = at(end) - from;
-  if (std::abs(rise) > 256) {
-    const float margin = 256.0F * (static_cast<float>(triangle.thin_width) + 1.25F);
-    const float per_unit = static_cast<float>(end - start) / rise;
-    const float before = (-margin - from) * per_unit;
-    const float after = (256.0F * static_cast<float>(pixels) + margin - from) * per_unit;
-    const auto line_at = [&](float way) {
-      return static_cast<int>(
-          std::clamp((static_cast<float>(start) + way) * (1.0F / 256), -1.0F, 65.0F));
-    };
-    first = std::max(first, line_at(std::min(before, after)) - 1);
-    last = std::min(last, line_at(std::max(before, after)) + 1);
+  ThinBox box = {triangle.x, triangle.y, tile.width, tile.height};
+  for (int& x : box.along) x -= tile.left * 256;
+  for (int& y : box.across) y -= tile.top * 256;
+  if (steep) {
+    std::swap(box.along, box.across);
+    std::swap(box.lines, box.pixels);
   }
+  return box;
+}
+
+/// Lines first ≤ line ≤ last.
+struct LineRange {
+  int first, last;
+};
+
+/// Where the longest side, from corner `start` to corner `end`, is not farther beside the tile than
+/// the sliver is wide, and a trifle.
+inline LineRange lines_not_beside(const ThinBox& box, std::size_t start, std::size_t end,
+                                  int whole_width) {
+  const auto from = static_cast<float>(box.across[start]);
+  const float rise = static_cast<float>(box.across[end]) - from;
+  if (std::abs(rise) <= 256) return {0, box.lines - 1};
+  const float margin = 256.0F * (static_cast<float>(whole_width) + 1.25F);
+  const float per_unit = static_cast<float>(box.along[end] - box.along[start]) / rise;
+  const float before = (-margin - from) * per_unit;
+  const float after = (256.0F * static_cast<float>(box.pixels) + margin - from) * per_unit;
+  const auto line_at = [&](float way) {
+    return static_cast<int>(
+        std::clamp((static_cast<float>(box.along[start]) + way) * (1.0F / 256), -1.0F, 65.0F));
+  };
+  return {line_at(std::min(before, after)) - 1, line_at(std::max(before, after)) + 1};
+}
+
+/// The lines of a tile that a sliver may have samples on: those it reaches, but not where it is
+/// beside the tile.
+inline ThinInTile in_tile(const LargeTriangle& triangle, const Tile& tile) {
+  const ThinBox box = box_in_tile(triangle, tile);
+  const auto start = std::min_element(box.along.begin(), box.along.end());
+  const auto end = std::max_element(box.along.begin(), box.along.end());
+  const auto number = [&](auto corner) {
+    return static_cast<std::size_t>(corner - box.along.begin());
+  };
+  const LineRange near = lines_not_beside(box, number(start), number(end), triangle.thin_width);
+  const int first = std::max({(*start + 127) >> 8, 0, near.first});
+  const int last = std::min({(*end - 128) >> 8, box.lines - 1, near.last});
   const auto likeness = static_cast<std::uint32_t>(triangle.thin_width * 64 + (last - first));
   return {&triangle, first, last, likeness};
 }
