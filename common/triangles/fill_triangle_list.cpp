@@ -7,11 +7,11 @@
 namespace rasterlab {
 namespace {
 
-std::int64_t fill_one_by_one(Image<Rgb8>& image, std::span<const Corners> triangles,
-                             const Rgb8& color) {
-  std::int64_t pixels = 0;
-  for (const Corners& corners : triangles) pixels += fill_spans(image, corners, color);
-  return pixels;
+DrawnTriangles fill_one_by_one(Image<Rgb8>& image, std::span<const Corners> triangles,
+                               const Rgb8& color) {
+  DrawnTriangles drawn;
+  for (const Corners& corners : triangles) drawn.add(fill_spans(image, corners, color));
+  return drawn;
 }
 
 }  // namespace
@@ -25,8 +25,8 @@ const std::vector<TriangleListWay>& triangle_list_ways() {
   return ways;
 }
 
-std::int64_t fill_triangle_list(Image<Rgb8>& image, std::span<const Corners> triangles,
-                                const Rgb8& color) {
+DrawnTriangles fill_triangle_list(Image<Rgb8>& image, std::span<const Corners> triangles,
+                                  const Rgb8& color) {
   return triangle_list_ways().back().fill(image, triangles, color);
 }
 

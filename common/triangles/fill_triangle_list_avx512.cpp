@@ -206,20 +206,23 @@ class Drawing {
     const __m512i stride = _mm512_set1_epi64(3LL * image_.width());
     __m512i row = _mm512_mul_epu32(_mm512_cvtepu32_epi64(eight.first), stride);
     const int most = _mm512_reduce_max_epi32(_mm512_zextsi256_si512(eight.rows));
+    __mmask8 drawn = 0;
     for (int r = 0; r < most; ++r) {
       const Spans spans = spans_of(eight, r, image_.width());
       __mmask8 there = _mm256_cmpgt_epi32_mask(eight.rows, _mm256_set1_epi32(r));
       there = _mm256_mask_cmpgt_epi32_mask(there, spans.pixels, _mm256_setzero_si256());
       pixels_ = _mm512_mask_add_epi64(pixels_, there, pixels_, _mm512_cvtepi32_epi64(spans.pixels));
       add(there, row, spans);
+      drawn |= there;
       row = _mm512_add_epi64(row, stride);
     }
+    triangles_ += std::popcount(static_cast<unsigned>(drawn));
   }
 
-  /// Returns how many pixels all of those have.
-  RASTERLAB_AVX512 std::int64_t finish() {
+  /// Returns what was drawn of all of those.
+  RASTERLAB_AVX512 DrawnTriangles finish() {
     queue_.write(bytes_, pattern_);
-    return _mm512_reduce_add_epi64(pixels_);
+    return {_mm512_reduce_add_epi64(pixels_), triangles_};
   }
 
  private:
@@ -246,16 +249,17 @@ class Drawing {
   std::uint8_t* bytes_;
   __m512i pattern_;
   __m512i pixels_ = _mm512_setzero_si512();
+  std::int64_t triangles_ = 0;
   Queue queue_;
 };
 
 }  // namespace
 
-RASTERLAB_AVX512 std::int64_t fill_triangle_list_avx512(Image<Rgb8>& image,
-                                                        std::span<const Corners> triangles,
-                                                        const Rgb8& color) {
+RASTERLAB_AVX512 DrawnTriangles fill_triangle_list_avx512(Image<Rgb8>& image,
+                                                          std::span<const Corners> triangles,
+                                                          const Rgb8& color) {
   Drawing drawing(image, color);
-  std::int64_t pixels = 0;
+  DrawnTriangles drawn;
   std::array<Corners, at_once> eight;
   eight.fill({Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()});
   for (; !triangles.empty(); triangles = triangles.subspan(std::min(triangles.size(), at_once))) {
@@ -267,9 +271,10 @@ RASTERLAB_AVX512 std::int64_t fill_triangle_list_avx512(Image<Rgb8>& image,
     const Eight set = set_up(from, image.height());
     drawing.draw(set);
     for (unsigned large = static_cast<__mmask8>(~set.small); large != 0; large &= large - 1)
-      pixels += fill_spans(image, from[std::countr_zero(large)], color);
+      drawn.add(fill_spans(image, from[std::countr_zero(large)], color));
   }
-  return pixels + drawing.finish();
+  const DrawnTriangles small = drawing.finish();
+  return {drawn.pixels + small.pixels, drawn.triangles + small.triangles};
 }
 
 }  // namespace rasterlab
@@ -278,8 +283,8 @@ RASTERLAB_AVX512 std::int64_t fill_triangle_list_avx512(Image<Rgb8>& image,
 
 namespace rasterlab {
 
-std::int64_t fill_triangle_list_avx512(Image<Rgb8>&, std::span<const Corners>, const Rgb8&) {
-  return 0;
+DrawnTriangles fill_triangle_list_avx512(Image<Rgb8>&, std::span<const Corners>, const Rgb8&) {
+  return {};
 }
 
 }  // namespace rasterlab

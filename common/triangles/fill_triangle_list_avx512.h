@@ -3,15 +3,15 @@
 
 #include "common/image/image.h"
 #include "common/image/pixel.h"
+#include "common/triangles/fill_triangle_list.h"
 #include "common/triangles/fixed_point.h"
 
-#include <cstdint>
 #include <span>
 
 namespace rasterlab {
 
 /// What fill_triangle_list() does. Only where has_avx512().
-std::int64_t fill_triangle_list_avx512(Image<Rgb8>& image, std::span<const Corners> triangles,
-                                       const Rgb8& color);
+DrawnTriangles fill_triangle_list_avx512(Image<Rgb8>& image, std::span<const Corners> triangles,
+                                         const Rgb8& color);
 
 }  // namespace rasterlab

@@ -64,6 +64,12 @@ Units random_triangle(std::mt19937& random, int width, int height) {
   return corners;
 }
 
+oracle::GridTriangle on_grid(const Units& corners) {
+  oracle::GridTriangle triangle;
+  for (std::size_t k = 0; k < 3; ++k) triangle[k] = {corners[k][0], corners[k][1]};
+  return triangle;
+}
+
 /// With six decimals, which snapping takes to the unit meant.
 std::string row_of(const Units& corners) {
   std::string row;
@@ -82,9 +88,7 @@ TEST_F(stage02_own_triangles, a_hundred_thousand_are_covered_as_integers_say) {
   for (int i = 0; i < 100000; ++i) {
     const Units corners = random_triangle(random, width, height);
     rows += row_of(corners);
-    oracle::GridTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) triangle[k] = {corners[k][0], corners[k][1]};
-    exact.push_back(triangle);
+    exact.push_back(on_grid(corners));
   }
   const ProcessResult result = draw(rows, "320x240", {"--stats"});
   ASSERT_EQ(result.exit_status, 0) << result.err;
@@ -93,6 +97,47 @@ TEST_F(stage02_own_triangles, a_hundred_thousand_are_covered_as_integers_say) {
   const nlohmann::json skipped = nlohmann::json::parse(result.out).at("skipped");
   EXPECT_GT(skipped.at("no_area"), 10000) << "too few without area to mean anything";
   EXPECT_GT(skipped.at("outside"), 1000) << "too few outside to mean anything";
+}
+
+// Colours that change now and then and at each row, and rows of three colours between.
+TEST_F(stage02_own_triangles, each_covers_the_ones_before_it) {
+  constexpr int width = 64;
+  constexpr int height = 48;
+  std::mt19937 random(7);
+  Image<Rgb8> expected(width, height);
+  std::string rows;
+  std::int64_t pixels = 0;
+  std::int64_t without = 0;
+  std::string color = "255 255 255 ";
+  Rgb8 pixel{255, 255, 255};
+  for (unsigned i = 0; i < 6000; ++i) {
+    const Units corners = random_triangle(random, width, height);
+    if (random() % (i < 5000 ? 500U : 2U) == 0) {
+      pixel = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()), 9};
+      color = std::to_string(pixel.r) + " " + std::to_string(pixel.g) + " 9 ";
+    }
+    const std::string colors = i % 11 == 10 ? color + color + color : color;
+    std::string row = row_of(corners);
+    row.insert(row.size() - 1, colors);
+    rows += row;
+    const Image<std::uint16_t> covered = oracle::coverage({on_grid(corners)}, width, height);
+    const std::int64_t before = pixels;
+    for (std::size_t k = 0; k < covered.pixels().size(); ++k) {
+      if (covered.pixels()[k] == 0) continue;
+      expected.pixels()[k] = pixel;
+      ++pixels;
+    }
+    without += pixels == before ? 1 : 0;
+  }
+  const ProcessResult result = draw_rows("02_triangles", rows, {"--size", "64x48", "--stats"});
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  EXPECT_TRUE(read_image<Rgb8>(scratch_ / "out.png") == expected);
+  const nlohmann::json statistics = nlohmann::json::parse(result.out);
+  EXPECT_EQ(statistics.at("triangles"), 6000);
+  EXPECT_EQ(statistics.at("pixels"), pixels);
+  std::int64_t skipped = 0;
+  for (const nlohmann::json& count : statistics.at("skipped")) skipped += count.get<std::int64_t>();
+  EXPECT_EQ(skipped, without);
 }
 
 TEST_F(stage02_own_triangles, coverage_counts_and_colours_overwrite) {
