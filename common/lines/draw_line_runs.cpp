@@ -45,20 +45,23 @@ struct Walk {
   return step;
 }
 
-[[gnu::always_inline]] inline void draw(const Walk& walk, const Rgb8& chosen) {
-  const Rgb8 color = chosen;  // which no pixel can be a part of
+[[gnu::always_inline]] inline void draw(const Walk& walk, const Rgb8& color) {
+  // In registers, as no pixel that is written can be a part of them.
+  const std::array<std::uint8_t, 2> red_green = {color.r, color.g};
+  const std::uint8_t blue = color.b;
   std::uint64_t offset = walk.offset;
   std::uint8_t* pixel = walk.pixel;
   const auto draw_and_step = [&] {
-    std::memcpy(pixel, &color, sizeof(Rgb8));
+    std::memcpy(pixel, red_green.data(), 2);
+    pixel[2] = blue;
     pixel += next_step(offset, walk.slope, walk.along, walk.across);
   };
-  std::int64_t pixels = walk.pixels;
-  for (; pixels >= 2; pixels -= 2) {
+  const auto pixels = static_cast<std::uint64_t>(walk.pixels);
+  if (pixels % 2 != 0) draw_and_step();
+  for (std::uint64_t pairs = pixels / 2; pairs > 0; --pairs) {
     draw_and_step();
     draw_and_step();
   }
-  if (pixels > 0) std::memcpy(pixel, &color, sizeof(Rgb8));
 }
 
 constexpr std::uint64_t half = std::uint64_t{1} << 63;
@@ -66,21 +69,21 @@ constexpr std::uint64_t half = std::uint64_t{1} << 63;
 /// Segments of up to so many pixels have slopes in 2^-32, and a quick division.
 constexpr std::int64_t longest_quick = 1 << 15;
 
-/// 2^32 / i, rounded up: short segments need no division.
+/// 1 / i in 2^-32, rounded down, and below 1: short segments need no division.
+constexpr std::uint64_t below_one = (std::uint64_t{1} << 32) - 1;
 constexpr auto reciprocals = [] {
   std::array<std::uint64_t, 64> quotients{};
-  for (std::uint64_t i = 1; i < quotients.size(); ++i)
-    quotients[i] = ((std::uint64_t{1} << 32) + i - 1) / i;
+  for (std::uint64_t i = 1; i < quotients.size(); ++i) quotients[i] = below_one / i;
   return quotients;
 }();
 
-/// minor / major in 2^-32, rounded up by at most 2^-32, or by less than `minor` times that where
-/// `major` is below 64.
-std::uint64_t rounded_up(std::int64_t minor, std::int64_t major) {
+/// minor / major in 2^-32, rounded down by at most 2^-32, or by at most `minor` times that where
+/// `major` is below 64; and below 1, which it may be equal to.
+[[gnu::always_inline]] inline std::uint64_t rounded_down(std::int64_t minor, std::int64_t major) {
   const auto above = static_cast<std::uint64_t>(minor);
   const auto below = static_cast<std::uint64_t>(major);
   if (below < reciprocals.size()) return above * reciprocals[below];
-  return (above << 32) / below + 1;
+  return std::min((above << 32) / below, below_one);
 }
 
 /// Image::contains() with one branch.
@@ -90,15 +93,16 @@ bool is_inside(const Image<Rgb8>& image, const Point& p) {
   return column & row;
 }
 
-/// A segment with both ends in the image, of at most `longest_quick` pixels. No branch depends on
-/// its direction.
+/// A segment with both ends in the image, of at most `longest_quick` pixels, from its left end or,
+/// where it is steep, from the upper one: of two pixels equally near the one farther from there is
+/// drawn. No branch depends on its direction.
 ///
 /// The place across is the whole part of k · minor / major + ½, which is either whole or 2^-16 at
-/// least from being so. Rounded up, the slope adds less than 2^-17 to it along the way: too little
-/// to matter. Of two pixels equally near the one farther from the left end is drawn, or from the
-/// upper end where steep; when the walk starts from the other end, that is the one nearer to its
-/// start, and ½ is taken 2^-17 smaller.
-Walk walk_inside(Image<Rgb8>& image, const Point& p0, std::int64_t dx, std::int64_t dy) {
+/// least from being so. Rounded down, the slope takes at most 2^-17 from it along the way, which is
+/// added before: too little to matter. So is what takes it from 1 to below 1, where the place is
+/// always half a pixel from changing.
+[[gnu::always_inline]] inline Walk walk_inside(Image<Rgb8>& image, const Point& p0, std::int64_t dx,
+                                               std::int64_t dy) {
   const std::int64_t left = dx >> 63;  // all bits or none
   const std::int64_t up = dy >> 63;
   const std::int64_t width = (dx ^ left) - left;
@@ -106,22 +110,21 @@ Walk walk_inside(Image<Rgb8>& image, const Point& p0, std::int64_t dx, std::int6
   const std::int64_t steep = (width - height) >> 63;
   const std::ptrdiff_t pixel = sizeof(Rgb8);
   const std::ptrdiff_t row = image.width() * pixel;
-  const std::ptrdiff_t step_x = (pixel ^ left) - left;
-  const std::ptrdiff_t step_y = (row ^ up) - up;
-  const std::ptrdiff_t exchange_steps = (step_x ^ step_y) & steep;
+  const std::ptrdiff_t exchange_steps = (pixel ^ row) & steep;
   const std::int64_t exchange_sides = (width ^ height) & steep;
   const std::int64_t major = width ^ exchange_sides;
   const std::int64_t minor = height ^ exchange_sides;
-  const std::int64_t diagonal = ((minor - major) >> 63) ^ -1;
-  const std::int64_t backward = ((left ^ up) & steep) ^ left;
+  const std::int64_t rising = left ^ up;
+  const std::int64_t backward = (rising & steep) ^ left;
+  const std::ptrdiff_t start_x = p0.x() + (dx & backward);
+  const std::ptrdiff_t start_y = p0.y() + (dy & backward);
   Walk walk;
-  walk.pixel = reinterpret_cast<std::uint8_t*>(image.row(p0.y()) + p0.x());
+  walk.pixel = reinterpret_cast<std::uint8_t*>(image.row(0)) + (start_y * row + start_x * pixel);
   walk.pixels = major + 1;
-  const std::ptrdiff_t along = step_x ^ exchange_steps;
-  walk.across = along + (step_y ^ exchange_steps);
-  walk.along = along ^ ((along ^ walk.across) & diagonal);
-  walk.slope = rounded_up(minor, major) << 32;
-  walk.offset = half - (static_cast<std::uint64_t>(backward) & (half >> 16));
+  walk.along = pixel ^ exchange_steps;
+  walk.across = walk.along + ((row ^ exchange_steps ^ rising) - rising);
+  walk.slope = rounded_down(minor, major) << 32;
+  walk.offset = half + (half >> 16);
   return walk;
 }
 
