@@ -60,7 +60,7 @@ inline Kinds kinds_of(const Triangles& t, Number area, Truth few_samples) {
   const Number longer = maximum(width, height);
   // A trifle more than it is, as the walk along the lines reckons it too.
   const Number across = magnitude(area) / (longer * Number(256)) + Number(1.0F / 64);
-  constexpr auto widest = static_cast<float>(ThinTriangles::max_width);
+  constexpr auto widest = static_cast<float>(ThinList::max_width);
   constexpr float below_2_to_31 = 2147483000.0F;
   kinds.thin =
       bits(across < Number(widest) && width * height <= Number(below_2_to_31)) & ~kinds.small;

@@ -66,8 +66,9 @@ struct PackedTriangles {
   std::array<std::uint32_t, capacity> key;
 };
 
-/// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive.
-struct LargeTriangle {
+/// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive. Three times four
+/// words, so that a lane's are read in three.
+struct alignas(16) LargeTriangle {
   std::array<std::int32_t, 3> x;
   std::array<std::int32_t, 3> y;
   std::array<float, 3> depth;
@@ -88,48 +89,20 @@ struct LargeTriangles {
   std::array<const LargeTriangle*, capacity> triangle;
 };
 
-/// Slivers: a few pixels wide where they are widest, along the axis they reach less far on, and of
-/// any length as long as the box around them has less than 2^31 square units: then all edge
-/// functions in it fit 32 bits. Those of one tile, side by side, with coordinates from the tile's
-/// corner.
-struct ThinTriangles {
-  static constexpr int max_width = 3;  ///< in whole pixels
-
-  std::array<std::vector<std::int32_t>, 3> x;
-  std::array<std::vector<std::int32_t>, 3> y;
-  std::array<std::vector<float>, 3> depth;
-  std::vector<std::uint32_t> key;
-  std::vector<std::int32_t> first, last;  ///< lines of the tile that it has samples on
-  int count = 0;
-
-  /// There is always room for a whole vector more.
-  void resize(std::size_t size) {
-    count = static_cast<int>(size);
-    size += 16;
-    if (key.size() >= size) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-      x[i].resize(size);
-      y[i].resize(size);
-      depth[i].resize(size);
-    }
-    key.resize(size);
-    first.resize(size);
-    last.resize(size);
-  }
-};
-
-/// A sliver in a tile: which of the tile's lines it may have samples on, and its place among
-/// others.
+/// A sliver in a tile, and which of the tile's lines it may have samples on.
 struct ThinInTile {
   const LargeTriangle* triangle;
-  std::int32_t first, last;
-  std::uint32_t likeness;
+  std::uint8_t first, last;
+  std::uint16_t likeness;  ///< its place among others
 };
 
-/// Slivers that reach into one tile. Not by pointer: what lies in a row is read quicker than what
-/// lies anywhere.
+/// Slivers that reach into one tile: a few pixels wide where they are widest, along the axis they
+/// reach less far on, and of any length as long as the box around them has less than 2^31 square
+/// units: then all edge functions in it fit 32 bits. Not by pointer: what lies in a row is read
+/// quicker than what lies anywhere.
 struct ThinList {
-  static constexpr int capacity = 22;
+  static constexpr int capacity = 32;
+  static constexpr int max_width = 3;  ///< in whole pixels
 
   ThinList* next;
   std::int32_t count;
@@ -168,6 +141,10 @@ struct TileBin {
   static constexpr std::uint32_t worth_of_medium = 8;
   static constexpr std::uint32_t worth_of_large = 1000;
 };
+
+/// Per pixel of a tile its depth's bits above the complement of its triangle's number, so that of
+/// two triangles the one that is seen has the larger word.
+using PixelWords = std::array<std::int64_t, 64 * 64>;
 
 struct NearTriangle {
   float nearest;
@@ -210,8 +187,9 @@ struct alignas(64) Worker {
   Statistics statistics;
   ShadingScratch scratch;
   std::vector<NearTriangle> near_first;  ///< room for sorting a tile's large triangles …
-  std::vector<ThinInTile> thin_in_tile;  ///< … and for its slivers
-  ThinTriangles thin;
+  std::vector<ThinInTile> thin_in_tile;  ///< … and its slivers, …
+  std::vector<ThinInTile> thin_sorted;
+  alignas(64) PixelWords words;  ///< … and for what these draw
 
   void begin(int tiles) {
     arena.reset();

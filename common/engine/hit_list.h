@@ -42,13 +42,6 @@ class HitList {
     count_ = 0;
   }
 
-  /// Blocks written to since the last call.
-  BlockMask take_written_blocks() { return std::exchange(written_, 0); }
-
- private:
-  static constexpr int capacity = 512;
-  using Values = std::array<std::int32_t, capacity + 2 * lanes>;
-
   /// Without a branch on which of two is nearer; equal depths are rare.
   void write_one(std::int32_t place, float depth, std::uint32_t key) {
     float& depth_there = tile_.depth[place];
@@ -62,6 +55,13 @@ class HitList {
     key_there ^= (key ^ key_there) & nearer;
     depth_there = depth > depth_there ? depth : depth_there;
   }
+
+  /// Blocks written to since the last call.
+  BlockMask take_written_blocks() { return std::exchange(written_, 0); }
+
+ private:
+  static constexpr int capacity = 512;
+  using Values = std::array<std::int32_t, capacity + 2 * lanes>;
 
   const Tile& tile_;
   BlockMask written_ = 0;

@@ -22,6 +22,11 @@ inline LaneCorners unpack_corners(const PackedTriangles& triangles, int from) {
   return corners;
 }
 
+inline std::array<Number, 3> load_depths(const PackedTriangles& triangles, int from) {
+  return {load(triangles.depth[0].data() + from), load(triangles.depth[1].data() + from),
+          load(triangles.depth[2].data() + from)};
+}
+
 inline Ints smallest_of(const std::array<Ints, 3>& a) {
   return minimum(minimum(a[0], a[1]), a[2]);
 }
@@ -67,15 +72,12 @@ struct LaneDepth {
   Number d0, k1, k2;
   Number nearest;  ///< not less than the depth of any pixel
 
-  LaneDepth(const LaneCorners& c, const float* depth0, const float* depth1, const float* depth2)
-      : d0(load(depth0)) {
+  LaneDepth(const LaneCorners& c, const std::array<Number, 3>& depth) : d0(depth[0]) {
     const Ints area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
     const Doubles inverse = Doubles(1) / to_doubles(area);
-    const Number d1 = load(depth1);
-    const Number d2 = load(depth2);
-    k1 = to_number((to_doubles(d1) - to_doubles(d0)) * inverse);
-    k2 = to_number((to_doubles(d2) - to_doubles(d0)) * inverse);
-    nearest = maximum(maximum(d0, d1), d2) * Number(1.000001F);
+    k1 = to_number((to_doubles(depth[1]) - to_doubles(d0)) * inverse);
+    k2 = to_number((to_doubles(depth[2]) - to_doubles(d0)) * inverse);
+    nearest = maximum(maximum(d0, depth[1]), depth[2]) * Number(1.000001F);
   }
 
   Number at(Ints e1, Ints e2) const { return d0 + (as_numbers(e1) * k1 + as_numbers(e2) * k2); }

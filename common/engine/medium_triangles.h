@@ -33,8 +33,7 @@ struct MediumLanes {
       store(edge.step_x, step_x[i].data());
       store(edge.step_y, step_y[i].data());
     }
-    const LaneDepth depth(corners, triangles.depth[0].data() + from,
-                          triangles.depth[1].data() + from, triangles.depth[2].data() + from);
+    const LaneDepth depth(corners, load_depths(triangles, from));
     store(depth.d0, d0.data());
     store(depth.k1, k1.data());
     store(depth.k2, k2.data());

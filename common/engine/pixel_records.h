@@ -39,9 +39,8 @@ struct RecordTable {
       }
       for (std::size_t w = 0; w < word.size(); w += 4) {
         std::array<Number, 4> fours;
-        load_fours(record.data(), fours.data());
+        load_fours([&](std::size_t lane) { return record[lane] + w; }, fours.data());
         for (std::size_t j = 0; j < 4; ++j) store(fours[j], word[w + j].data() + first);
-        for (const float*& from : record) from += 4;
       }
     }
   }

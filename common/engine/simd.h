@@ -146,6 +146,25 @@ inline void store(Ints a, std::uint32_t* to) {
 inline void store_packed(Truth chosen, Ints a, std::int32_t* to) {
   hn::StoreU(hn::Compress(a.v, hn::RebindMask(IntTag(), chosen.mask)), IntTag(), to);
 }
+/// The lanes' pairs of a lower and an upper half, side by side as words of 64 bits.
+inline void store_words(Ints lower, Ints upper, std::int64_t* to) {
+#if HWY_TARGET == HWY_SCALAR
+  const std::array<std::int32_t, 2> halves = {hn::GetLane(lower.v), hn::GetLane(upper.v)};
+  std::memcpy(to, halves.data(), sizeof halves);
+#else
+  hn::StoreInterleaved2(lower.v, upper.v, IntTag(), reinterpret_cast<std::int32_t*>(to));
+#endif
+}
+inline void load_words(const std::int64_t* from, Ints& lower, Ints& upper) {
+#if HWY_TARGET == HWY_SCALAR
+  std::array<std::int32_t, 2> halves;
+  std::memcpy(halves.data(), from, sizeof halves);
+  lower = halves[0];
+  upper = halves[1];
+#else
+  hn::LoadInterleaved2(IntTag(), reinterpret_cast<const std::int32_t*>(from), lower.v, upper.v);
+#endif
+}
 inline Ints gather_ints(const std::int32_t* from, Ints index) {
   return Ints(hn::GatherIndex(IntTag(), from, index.v));
 }
@@ -316,24 +335,28 @@ inline Number gather(const std::uint8_t* array, Number index) {
 }
 
 #if HWY_TARGET == HWY_SCALAR
-/// Four consecutive numbers of a place per lane.
-inline void load_fours(const float* const* from, Number* fours) {
-  for (int i = 0; i < 4; ++i) fours[i] = Number(from[0][i]);
+/// Four consecutive numbers of a place per lane, `place(lane)`, where there may be something else
+/// than floats.
+template <class Place>
+void load_fours(const Place& place, Number* fours) {
+  float values[4];
+  std::memcpy(values, place(0), sizeof values);
+  for (int i = 0; i < 4; ++i) fours[i] = Number(values[i]);
 }
 /// To places of the first `count` lanes.
 inline void store_fours(const Number* fours, float* const* to, int count) {
   for (int i = 0; i < 4 * count; ++i) to[0][i] = hn::GetLane(fours[i].v);
 }
 #else
-/// The four numbers of places 0, 4, 8, …, side by side.
-template <int count>
-hn::Vec<hn::CappedTag<float, count>> load_every_fourth(const float* const* from) {
+/// The four numbers of places first, first + 4, first + 8, …, side by side.
+template <int count, class Place>
+hn::Vec<hn::CappedTag<float, count>> load_every_fourth(const Place& place, std::size_t first) {
   const hn::CappedTag<float, count> tag;
   if constexpr (count == 4) {
-    return hn::LoadU(tag, from[0]);
+    return hn::LoadU(tag, place(first));
   } else {
-    return hn::Combine(tag, load_every_fourth<count / 2>(from + count / 2),
-                       load_every_fourth<count / 2>(from));
+    return hn::Combine(tag, load_every_fourth<count / 2>(place, first + count / 2),
+                       load_every_fourth<count / 2>(place, first));
   }
 }
 /// In each group of four lanes, number i of lane j to number j of lane i.
@@ -349,9 +372,10 @@ inline void transpose_fours(Number* fours) {
   fours[2] = Number(hn::BitCast(tag, hn::InterleaveLower(pairs, high01, high23)));
   fours[3] = Number(hn::BitCast(tag, hn::InterleaveUpper(pairs, high01, high23)));
 }
-/// Four consecutive numbers of a place per lane: cheaper than four gathers.
-inline void load_fours(const float* const* from, Number* fours) {
-  for (std::size_t i = 0; i < 4; ++i) fours[i] = Number(load_every_fourth<lanes>(from + i));
+/// Four consecutive numbers of a place per lane, `place(lane)`: cheaper than four gathers.
+template <class Place>
+void load_fours(const Place& place, Number* fours) {
+  for (std::size_t i = 0; i < 4; ++i) fours[i] = Number(load_every_fourth<lanes>(place, i));
   transpose_fours(fours);
 }
 /// To places of the first `count` lanes.

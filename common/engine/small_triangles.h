@@ -37,8 +37,7 @@ inline SmallLanes load_small(const PackedTriangles& triangles, int from, const T
   const LaneBounds bounds(corners, tile.width, tile.height);
   const Ints px = shift_left<8>(bounds.left) + Ints(128);
   const Ints py = shift_left<8>(bounds.top) + Ints(128);
-  const LaneDepth depth(corners, triangles.depth[0].data() + from, triangles.depth[1].data() + from,
-                        triangles.depth[2].data() + from);
+  const LaneDepth depth(corners, load_depths(triangles, from));
   Truth present = first_lanes(std::min(triangles.count - from, lanes));
   if (skip_hidden) present = present && !hidden_lanes(tile, bounds, depth.nearest);
   return {

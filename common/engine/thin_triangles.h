@@ -1,22 +1,23 @@
-// Slivers, one per lane: all lanes walk along their own one at once, line by line. So that they end
-// at the same time, slivers of a tile are sorted first by how many lines they have there.
+// Slivers, one per lane: all lanes walk along their own one at once, line by line.
 //
 // A sliver has a sample or two on each line it crosses: rows, when it is steep, columns, when it is
 // flat. They lie between its longest side and a parallel through its third corner: where that strip
 // crosses a line is known beforehand to a small part of a pixel, and how many pixels to ask there
 // is the same on all lines. The exact edge functions have the last word.
+//
+// Few lanes hit at a time. So a hit is only noted on the way, and later as many are worked out at
+// once as there are lanes.
 #pragma once
 
 #include "common/engine/hit_list.h"
-#include "common/engine/lane_triangles.h"
+#include "common/engine/pixel_words.h"
+#include "common/engine/thin_in_tile.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <bit>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
-/// Along the axis a sliver reaches farthest on (its major one), and across.
+/// What slivers' lines are asked with.
 struct LinesOfThin {
   Ints first, last;  ///< lines of the tile, as far as the sliver reaches; none: last < first
   Ints low, high;    ///< pixels across
@@ -25,37 +26,15 @@ struct LinesOfThin {
   int pixels;        ///< to ask on each line
 };
 
-struct ThinLanes {
-  Truth steep;
-  LinesOfThin lines;
-  std::array<LaneEdge, 3> edge;       ///< on the lane's first line, at pixel 0
-  std::array<Ints, 3> along, across;  ///< their steps to the next line, and to the next pixel
-  LaneDepth depth;
-};
-
-/// Sorts three corners by a.
-inline void sort_corners(std::array<Ints, 3>& a, std::array<Ints, 3>& b) {
-  const auto order = [&](std::size_t i, std::size_t j) {
-    const Truth swap = a[i] > a[j];
-    const Ints a_i = select(swap, a[j], a[i]);
-    const Ints b_i = select(swap, b[j], b[i]);
-    a[j] = select(swap, a[i], a[j]);
-    b[j] = select(swap, b[i], b[j]);
-    a[i] = a_i;
-    b[i] = b_i;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-}
-
-/// `along` and `across`: the corners' coordinates; `pixels`: how many the tile has across. Lanes
-/// that aren't `present` have no lines.
-inline LinesOfThin find_lines(std::array<Ints, 3> along, std::array<Ints, 3> across, Ints first,
-                              Ints last, Ints pixels, Truth present) {
+/// `lines`: those to walk along; `pixels`: how many the tile has across. Lanes that aren't
+/// `present` have no lines.
+inline LinesOfThin find_lines(const ThinCorners& t, const LaneLines& lines, Ints pixels,
+                              Truth present) {
+  std::array<Ints, 3> along = t.along;
+  std::array<Ints, 3> across = t.across;
   LinesOfThin result;
-  result.first = first;
-  result.last = select(present, last, first - Ints(1));
+  result.first = lines.first;
+  result.last = select(present, lines.last, lines.first - Ints(1));
   result.low = maximum(shift_right<8>(smallest_of(across) + Ints(127)), Ints(0));
   result.high = minimum(shift_right<8>(largest_of(across) - Ints(128)), pixels - Ints(1));
   sort_corners(along, across);
@@ -75,154 +54,168 @@ inline LinesOfThin find_lines(std::array<Ints, 3> along, std::array<Ints, 3> acr
   return result;
 }
 
-inline ThinLanes load_thin(const ThinTriangles& triangles, int from, const Tile& tile) {
-  const Truth present = first_lanes(std::min(triangles.count - from, lanes));
-  LaneCorners corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    corners.x[i] = load(triangles.x[i].data() + from);
-    corners.y[i] = load(triangles.y[i].data() + from);
-  }
-  const auto reach = [](const std::array<Ints, 3>& a) { return largest_of(a) - smallest_of(a); };
-  const Truth steep = reach(corners.y) > reach(corners.x);
-  std::array<Ints, 3> along;
-  std::array<Ints, 3> across;
-  for (std::size_t i = 0; i < 3; ++i) {
-    along[i] = select(steep, corners.y[i], corners.x[i]);
-    across[i] = select(steep, corners.x[i], corners.y[i]);
-  }
-  const LinesOfThin lines = find_lines(along, across, load(triangles.first.data() + from),
-                                       load(triangles.last.data() + from),
-                                       select(steep, Ints(tile.width), Ints(tile.height)), present);
-  const Ints first_center = shift_left<8>(lines.first) + Ints(128);
-  const Ints px = select(steep, Ints(128), first_center);
-  const Ints py = select(steep, first_center, Ints(128));
-  ThinLanes t = {
-      steep,
-      lines,
-      {LaneEdge(corners, 0, px, py), LaneEdge(corners, 1, px, py), LaneEdge(corners, 2, px, py)},
-      {},
-      {},
-      LaneDepth(corners, triangles.depth[0].data() + from, triangles.depth[1].data() + from,
-                triangles.depth[2].data() + from)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    t.along[i] = select(steep, t.edge[i].step_y, t.edge[i].step_x);
-    t.across[i] = select(steep, t.edge[i].step_x, t.edge[i].step_y);
-  }
-  return t;
-}
+/// An edge function by lines and pixels across them.
+struct EdgeOfThin {
+  Ints value;     ///< on the lane's first line, at pixel 0, lessened as LaneEdge's
+  Ints along;     ///< its step to the next line …
+  Ints across;    ///< … and to the next pixel
+  Ints on_line0;  ///< not lessened, on the tile's first line
+};
 
-inline void walk_thin(const Tile& tile, ThinLanes t, Ints key, HitList& hits) {
+/// What a hit's depth is worked out from, per sliver.
+struct ThinTable {
+  using Values = std::array<float, 16>;
+
+  struct Edge {
+    alignas(64) Values value, along, across;  ///< of EdgeOfThin, the value on the tile's first line
+  };
+  std::array<Edge, 2> edge;  ///< 1 and 2
+  alignas(64) Values d0, k1, k2;
+  alignas(64) Values key;
+  alignas(64) Values steep;  ///< all bits or none
+};
+
+/// Hits of as many slivers as there are lanes: gathered first, then worked out, then written.
+class ThinHits {
+ public:
+  explicit ThinHits(const Tile& tile) : tile_(tile) {}
+
+  ThinTable table;
+
+  static Ints number_of(Ints lane, Ints line, Ints pixel) {
+    return shift_left<12>(lane) + (shift_left<6>(line) + pixel);
+  }
+
+  bool is_full() const { return count_ > capacity; }
+  void add(Truth hit, Ints number) {
+    store_packed(hit, number, number_.data() + count_);
+    count_ += std::popcount(bits(hit));
+  }
+
+  /// Calls `write(place in the tile, word)` for each.
+  template <class Write>
+  void write_all(const Write& write) {
+    store(Ints(0), number_.data() + count_);
+    for (int i = 0; i < count_; i += lanes) work_out(i);
+    for (int i = 0; i < count_; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      write(number_[at], word_[at]);
+    }
+    count_ = 0;
+  }
+
+ private:
+  static constexpr int capacity = 512;
+  static constexpr std::size_t room = capacity + 2 * lanes;
+
+  /// Places in place of numbers, and words.
+  void work_out(int first) {
+    const Ints number = load(number_.data() + first);
+    const Ints lane = shift_right<12>(number) & Ints(lanes - 1);
+    const Ints line = shift_right<6>(number) & Ints(63);
+    const Ints pixel = number & Ints(63);
+    const auto own = [&](const ThinTable::Values& values) { return look_up(values, lane); };
+    const auto edge = [&](const ThinTable::Edge& e) {
+      return as_numbers(bit_pattern(own(e.value)) +
+                        (line * bit_pattern(own(e.along)) + pixel * bit_pattern(own(e.across))));
+    };
+    const Number depth =
+        own(table.d0) + (edge(table.edge[0]) * own(table.k1) + edge(table.edge[1]) * own(table.k2));
+    const Truth steep = bit_pattern(own(table.steep)) < Ints(0);
+    store_pixel_words(depth, bit_pattern(own(table.key)), word_.data() + first);
+    store(place_in_tile(tile_, select(steep, pixel, line), select(steep, line, pixel)),
+          number_.data() + first);
+  }
+
+  const Tile& tile_;
+  int count_ = 0;
+  alignas(64) std::array<std::int32_t, room> number_;
+  alignas(64) std::array<std::int64_t, room> word_;
+};
+
+/// Slivers of a tile, ready to be walked along.
+struct ThinLanes {
+  LinesOfThin lines;
+  std::array<EdgeOfThin, 3> edge;
+
+  ThinLanes(const ThinCorners& t, const LaneLines& where, const Tile& tile, Truth present)
+      : lines(find_lines(t, where, select(t.steep, Ints(tile.width), Ints(tile.height)), present)) {
+    const Ints first_center = shift_left<8>(lines.first) + Ints(128);
+    const Ints px = select(t.steep, Ints(128), first_center);
+    const Ints py = select(t.steep, first_center, Ints(128));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const LaneEdge e(t.corners, i, px, py);
+      const Ints along = select(t.steep, e.step_y, e.step_x);
+      const Ints across = select(t.steep, e.step_x, e.step_y);
+      edge[i] = {e.value, along, across, e.value + e.lessened - lines.first * along};
+    }
+  }
+
+  void fill(const ThinCorners& t, ThinTable& table) const {
+    const auto put = [](Ints values, ThinTable::Values& to) {
+      store(from_bit_pattern(values), to.data());
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+      put(edge[i + 1].on_line0, table.edge[i].value);
+      put(edge[i + 1].along, table.edge[i].along);
+      put(edge[i + 1].across, table.edge[i].across);
+    }
+    const LaneDepth depth(t.corners, t.depth);
+    store(depth.d0, table.d0.data());
+    store(depth.k1, table.k1.data());
+    store(depth.k2, table.k2.data());
+    put(t.key, table.key);
+    put(select(t.steep, Ints(-1), Ints(0)), table.steep);
+  }
+};
+
+template <class Write>
+void walk_thin(ThinLanes t, ThinHits& hits, const Write& write) {
   const Ints steps = t.lines.last - t.lines.first;
   const std::int32_t most = largest(steps);
-  Ints line = t.lines.first;
+  Ints number = ThinHits::number_of(iota(0), t.lines.first, Ints(0));
   for (std::int32_t step = 0; step <= most; ++step) {
     Ints pixel = shift_right<18>(t.lines.strip);
     std::array<Ints, 3> e;
-    for (std::size_t i = 0; i < 3; ++i) e[i] = t.edge[i].value + pixel * t.across[i];
+    for (std::size_t i = 0; i < 3; ++i) e[i] = t.edge[i].value + pixel * t.edge[i].across;
     for (int more = t.lines.pixels; more > 0; --more) {
       // Negative: outside an edge, or beyond the lane's own pixels.
       const Ints outside = (e[0] | e[1] | e[2]) | ((pixel - t.lines.low) | (t.lines.high - pixel)) |
                            (steps - Ints(step));
-      const Truth hit = outside >= Ints(0);
-      if (any(hit)) {
-        const Ints x = select(t.steep, pixel, line);
-        const Ints y = select(t.steep, line, pixel);
-        hits.add(hit, place_in_tile(tile, x, y),
-                 t.depth.at(e[1] + t.edge[1].lessened, e[2] + t.edge[2].lessened), key);
-      }
+      hits.add(outside >= Ints(0), number + pixel);
       pixel = pixel + Ints(1);
-      for (std::size_t i = 0; i < 3; ++i) e[i] = e[i] + t.across[i];
+      for (std::size_t i = 0; i < 3; ++i) e[i] = e[i] + t.edge[i].across;
     }
-    line = line + Ints(1);
+    if (hits.is_full()) hits.write_all(write);
+    number = number + Ints(64);
     t.lines.strip = t.lines.strip + t.lines.strip_step;
-    for (std::size_t i = 0; i < 3; ++i) t.edge[i].value = t.edge[i].value + t.along[i];
+    for (EdgeOfThin& edge : t.edge) edge.value = edge.value + edge.along;
   }
+  hits.write_all(write);
 }
 
-/// A sliver's box in one tile, along its lines and across them, from the tile's corner.
-struct ThinBox {
-  std::array<int, 3> along, across;  ///< the corners, 1/256 pixel
-  int lines, pixels;                 ///< how many the tile has
-};
-
-inline ThinBox box_in_tile(const LargeTriangle& triangle, const Tile& tile) {
-  const auto [left, right] = std::minmax({triangle.x[0], triangle.x[1], triangle.x[2]});
-  const auto [top, bottom] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
-  const bool steep = bottom - top > right - left;
-  ThinBox box = {triangle.x, triangle.y, tile.width, tile.height};
-  for (int& x : box.along) x -= tile.left * 256;
-  for (int& y : box.across) y -= tile.top * 256;
-  if (steep) {
-    std::swap(box.along, box.across);
-    std::swap(box.lines, box.pixels);
-  }
-  return box;
-}
-
-/// Lines first ≤ line ≤ last.
-struct LineRange {
-  int first, last;
-};
-
-/// Where the longest side, from corner `start` to corner `end`, is not farther beside the tile than
-/// the sliver is wide, and a trifle.
-inline LineRange lines_not_beside(const ThinBox& box, std::size_t start, std::size_t end,
-                                  int whole_width) {
-  const auto from = static_cast<float>(box.across[start]);
-  const float rise = static_cast<float>(box.across[end]) - from;
-  if (std::abs(rise) <= 256) return {0, box.lines - 1};
-  const float margin = 256.0F * (static_cast<float>(whole_width) + 1.25F);
-  const float per_unit = static_cast<float>(box.along[end] - box.along[start]) / rise;
-  const float before = (-margin - from) * per_unit;
-  const float after = (256.0F * static_cast<float>(box.pixels) + margin - from) * per_unit;
-  const auto line_at = [&](float way) {
-    return static_cast<int>(
-        std::clamp((static_cast<float>(box.along[start]) + way) * (1.0F / 256), -1.0F, 65.0F));
-  };
-  return {line_at(std::min(before, after)) - 1, line_at(std::max(before, after)) + 1};
-}
-
-/// The lines of a tile that a sliver may have samples on: those it reaches, but not where it is
-/// beside the tile.
-inline ThinInTile in_tile(const LargeTriangle& triangle, const Tile& tile) {
-  const ThinBox box = box_in_tile(triangle, tile);
-  const auto start = std::min_element(box.along.begin(), box.along.end());
-  const auto end = std::max_element(box.along.begin(), box.along.end());
-  const auto number = [&](auto corner) {
-    return static_cast<std::size_t>(corner - box.along.begin());
-  };
-  const LineRange near = lines_not_beside(box, number(start), number(end), triangle.thin_width);
-  const int first = std::max({(*start + 127) >> 8, 0, near.first});
-  const int last = std::min({(*end - 128) >> 8, box.lines - 1, near.last});
-  const auto likeness = static_cast<std::uint32_t>(triangle.thin_width * 64 + (last - first));
-  return {&triangle, first, last, likeness};
-}
-
-/// Sorted by how wide they are and how many lines they have in the tile.
-inline void sort_thin(const Tile& tile, const std::vector<ThinInTile>& found,
-                      ThinTriangles& sorted) {
-  std::array<std::uint32_t, ThinTriangles::max_width* 64 + 1> place = {};
-  for (const ThinInTile& thin : found) ++place[thin.likeness + 1];
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  sorted.resize(found.size());
-  for (const ThinInTile& thin : found) {
-    const std::size_t to = place[thin.likeness]++;
-    for (std::size_t i = 0; i < 3; ++i) {
-      sorted.x[i][to] = thin.triangle->x[i] - tile.left * 256;
-      sorted.y[i][to] = thin.triangle->y[i] - tile.top * 256;
-      sorted.depth[i][to] = thin.triangle->depth[i];
+/// Calls `write(place in the tile, word)` (pixel_words.h) for each sample.
+template <class Write>
+void draw_thin(const Tile& tile, std::span<const ThinInTile> slivers, const Write& write) {
+  ThinHits hits(tile);
+  for (std::size_t from = 0; from < slivers.size(); from += lanes) {
+    const std::size_t count = std::min<std::size_t>(lanes, slivers.size() - from);
+    std::array<const LargeTriangle*, lanes> triangle;
+    std::array<std::int32_t, lanes> first;
+    std::array<std::int32_t, lanes> last;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const ThinInTile& thin = slivers[from + std::min(lane, count - 1)];
+      triangle[lane] = thin.triangle;
+      first[lane] = thin.first;
+      last[lane] = thin.last;
     }
-    sorted.key[to] = thin.triangle->key;
-    sorted.first[to] = thin.first;
-    sorted.last[to] = thin.last;
+    const ThinCorners corners =
+        load_corners([&](std::size_t lane) { return triangle[lane]; }, tile);
+    const ThinLanes t(corners, {load(first.data()), load(last.data())}, tile,
+                      first_lanes(static_cast<int>(count)));
+    t.fill(corners, hits.table);
+    walk_thin(t, hits, write);
   }
-}
-
-inline void draw_thin(const Tile& tile, const ThinTriangles& triangles, HitList& hits) {
-  for (int from = 0; from < triangles.count; from += lanes) {
-    walk_thin(tile, load_thin(triangles, from, tile), load(triangles.key.data() + from), hits);
-  }
-  hits.write();
 }
 
 }  // namespace rasterlab::RASTERLAB_SIMD

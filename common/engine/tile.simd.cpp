@@ -20,13 +20,22 @@ namespace rasterlab::RASTERLAB_SIMD {
 
 namespace {
 
+template <class T>
+void prefetch(const T& object) {
+  const auto* bytes = reinterpret_cast<const char*>(&object);
+  for (std::size_t at = 0; at < sizeof object; at += 64) __builtin_prefetch(bytes + at);
+}
+
 /// Calls `visit(chunk)` for what all workers found to draw in a tile, of the kind that `list` takes
 /// from a bin.
 template <class List, class Visit>
 void for_each_chunk(std::span<Worker> workers, int tile, const List& list, const Visit& visit) {
   for (const Worker& from : workers) {
     const TileBin& bin = from.bins[static_cast<std::size_t>(tile)];
-    for (const auto* chunk = list(bin).first; chunk != nullptr; chunk = chunk->next) visit(*chunk);
+    for (const auto* chunk = list(bin).first; chunk != nullptr; chunk = chunk->next) {
+      if (chunk->next != nullptr) prefetch(*chunk->next);
+      visit(*chunk);
+    }
   }
 }
 
@@ -41,6 +50,31 @@ void draw_large(const DrawJob& job, const Tile& tile, std::vector<NearTriangle>&
     LargeDrawing drawing(job, tile, *triangle, open);
     if (!drawing.misses()) drawing.draw(worker);
   }
+}
+
+/// From how many slivers on it is worth having a tile's pixels in words.
+constexpr std::size_t enough_for_words = 64;
+
+void draw_slivers(const Tile& tile, int index, std::span<Worker> workers, Worker& worker,
+                  HitList& hits) {
+  worker.thin_in_tile.clear();
+  const auto thins = [](const TileBin& bin) { return bin.thin; };
+  for_each_chunk(workers, index, thins,
+                 [&](const ThinList& chunk) { find_in_tile(chunk, tile, worker.thin_in_tile); });
+  sort_thin(worker.thin_in_tile, worker.thin_sorted);
+  if (worker.thin_sorted.size() < enough_for_words) {
+    draw_thin(tile, worker.thin_sorted, [&](std::int32_t place, std::int64_t word) {
+      hits.write_one(place, depth_of_word(word), key_of_word(word));
+    });
+    update_far(tile, hits.take_written_blocks());
+    return;
+  }
+  read_pixels(tile, worker.words);
+  std::int64_t* words = worker.words.data();
+  draw_thin(tile, worker.thin_sorted, [words](std::int32_t place, std::int64_t word) {
+    words[place] = std::max(words[place], word);
+  });
+  write_pixels(worker.words, tile);
 }
 
 }  // namespace
@@ -63,17 +97,7 @@ void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker&
     draw_medium(tile, chunk, skip_hidden, worker.statistics);
   });
   HitList hits(tile);
-  worker.thin_in_tile.clear();
-  const auto thins = [](const TileBin& bin) { return bin.thin; };
-  for_each_chunk(workers, index, thins, [&](const ThinList& chunk) {
-    for (int i = 0; i < chunk.count; ++i) {
-      const ThinInTile thin = in_tile(chunk.triangle[static_cast<std::size_t>(i)], tile);
-      if (thin.first <= thin.last) worker.thin_in_tile.push_back(thin);
-    }
-  });
-  sort_thin(tile, worker.thin_in_tile, worker.thin);
-  draw_thin(tile, worker.thin, hits);
-  update_far(tile, hits.take_written_blocks());
+  draw_slivers(tile, index, workers, worker, hits);
   const auto smalls = [](const TileBin& bin) { return bin.small; };
   for_each_chunk(workers, index, smalls, [&](const PackedTriangles& chunk) {
     draw_small(tile, chunk, skip_hidden, hits);
