@@ -10,17 +10,41 @@ namespace rasterlab::RASTERLAB_SIMD {
 /// All pixels see the same triangle.
 class OneRecord {
  public:
+  OneRecord() = default;
   OneRecord(const VisibleTriangles& triangles, std::int32_t slot)
       : words_(triangles.record(slot)), front_(triangles.triangle(slot).front) {}
 
   Ints integer(int i) const { return Ints(std::bit_cast<std::int32_t>(words_[i])); }
   Number number(int i) const { return Number(words_[i]); }
-  Doubles number_as_doubles(int i) const { return Doubles(static_cast<double>(words_[i])); }
   Truth front_facing() const { return Ints(front_ ? 1 : 0) == Ints(1); }
 
  private:
-  const float* words_;
-  bool front_;
+  const float* words_ = nullptr;
+  bool front_ = false;
+};
+
+/// Pixels see one of two triangles.
+class OneOfTwoRecords {
+ public:
+  OneOfTwoRecords(const OneRecord& first, const OneRecord& second, Truth is_second)
+      : first_(first), second_(second), is_second_(is_second) {}
+
+  Ints integer(int i) const { return select(is_second_, second_.integer(i), first_.integer(i)); }
+  Number number(int i) const { return select(is_second_, second_.number(i), first_.number(i)); }
+  Truth front_facing() const {
+    return select(is_second_, second_.front_facing(), first_.front_facing());
+  }
+
+ private:
+  OneRecord first_;
+  OneRecord second_;
+  Truth is_second_;
+};
+
+/// Which of some records each pixel of a block sees.
+struct RecordNumbers {
+  alignas(64) std::array<std::int32_t, 64> number;
+  BlockMask front = 0;
 };
 
 /// The records of a few triangles, word by word.
@@ -47,22 +71,22 @@ struct RecordTable {
 };
 
 /// Pixels see different ones, each the one of its number in a table.
-template <int word_count>
 class EachRecord {
  public:
-  EachRecord(const RecordTable<word_count>& table, Ints number_in_table, std::uint32_t front)
-      : table_(table), number_in_table_(number_in_table), front_(front) {}
+  using Word = std::array<float, 16>;
+
+  /// Of the pixels from `first` on.
+  EachRecord(const Word* words, const RecordNumbers& numbers, int first)
+      : words_(words),
+        number_in_table_(load(&numbers.number[static_cast<std::size_t>(first)])),
+        front_(lanes_at(numbers.front, first)) {}
 
   Ints integer(int i) const { return bit_pattern(number(i)); }
-  Number number(int i) const {
-    return look_up(table_.word[static_cast<std::size_t>(i)], number_in_table_);
-  }
-  Doubles integer_as_doubles(int i) const { return to_doubles(integer(i)); }
-  Doubles number_as_doubles(int i) const { return to_doubles(number(i)); }
+  Number number(int i) const { return look_up(words_[i], number_in_table_); }
   Truth front_facing() const { return truth_of(front_); }
 
  private:
-  const RecordTable<word_count>& table_;
+  const Word* words_;
   Ints number_in_table_;
   std::uint32_t front_;
 };

@@ -6,11 +6,6 @@
 //
 // A triangle whose corners have the same varyings looks the same all over: it is shaded once, as if
 // it were a pixel, and painted.
-//
-// A pixel's barycentric weights come from the exact integer edge functions: with q_i = E_i · w0/w_i
-// the perspective-correct weights are q_i / (q_0 + q_1 + q_2), computed in double. They become
-// floats last, so they are right to about a unit in the last place for slivers and for any ratio of
-// w.
 #pragma once
 
 #include "common/engine/number_pair.h"
@@ -100,7 +95,6 @@ class TileShading {
   }
 
   using Table = RecordTable<corner_varyings.record_size()>;
-  using Records = EachRecord<corner_varyings.record_size()>;
 
   template <class Record>
   static Number at_0(const Record& r, int i) {
@@ -180,43 +174,64 @@ class TileShading {
   static constexpr std::size_t most_by_themselves = 2;
 
   void shade_few(int block, const PartsOfBlock& varying, BlockColors& colors) const {
-    std::array<EdgesInBlock, most_by_themselves> edges;
+    WeightsInBlock weights;
+    std::array<OneRecord, most_by_themselves> record;
+    BlockMask already = 0;
     for (std::size_t i = 0; i < varying.count; ++i) {
       const VisiblePart& part = varying.part[i];
-      edges[i] = triangles_.edges_in_block(part.slot, block, std::countr_zero(part.mask));
+      triangles_.weigh(part, block, already, weights);
+      already |= part.mask;
+      record[i] = OneRecord(triangles_, part.slot);
     }
     for (int first = 0; first < 64; first += 2 * lanes) {
       const std::uint32_t wanted = pair_at(varying.mask, first);
       if (wanted == 0) continue;
-      PartsOfPair few;
-      few.first = first;
-      for (std::size_t i = 0; i < varying.count; ++i) {
-        const std::uint32_t here = pair_at(varying.part[i].mask, first);
-        if (here != 0) few.part[few.count++] = {varying.part[i].slot, here, &edges[i]};
+      OneOrTwo few = {record.data(), nullptr, 0};
+      if (varying.count == 2) {
+        few.is_second = pair_at(varying.part[1].mask, first);
+        if (few.is_second == wanted) {
+          few.first = &record[1];
+        } else if (few.is_second != 0) {
+          few.second = &record[1];
+        }
       }
-      take(shade_pair(&few, nullptr, nullptr, wanted), wanted, first, colors);
+      take(shade_pair(&few, nullptr, &weights, first, wanted), wanted, first, colors);
     }
   }
+
+  /// What a vector of pixels sees: the records of a table.
+  struct SeenByVector {
+    const Table* table;
+    const RecordNumbers* numbers;
+
+    EachRecord records(int first) const { return {table->word.data(), *numbers, first}; }
+  };
 
   /// Their records in a table: one for the block, or, where it sees too many, one for each vector.
   void shade_many(int block, const PartsOfBlock& varying, BlockColors& colors) const {
     std::array<Table, 2> table;
+    std::array<RecordNumbers, 2> numbers;
+    WeightsInBlock weights;
+    const auto look_at = [&](std::span<const VisiblePart> parts, std::size_t i, int first,
+                             int end) {
+      table[i].fill(triangles_, parts);
+      triangles_.number_pixels(parts, first, end, numbers[i]);
+      triangles_.weigh_each(parts, table[i].word.data(), numbers[i], block, first, end, weights);
+    };
     const bool in_one = varying.count <= Table::most;
-    if (in_one) table[0].fill(triangles_, varying.parts());
+    if (in_one) look_at(varying.parts(), 0, 0, 64);
     for (int first = 0; first < 64; first += 2 * lanes) {
       const std::uint32_t wanted = pair_at(varying.mask, first);
       if (wanted == 0) continue;
-      const auto vector = [&](int pixel, Table& own) {
-        if (in_one) return seen_by(varying, block, pixel, table[0]);
-        const PartsOfBlock here = seen_in_vector(varying, pixel);
-        own.fill(triangles_, here.parts());
-        SeenByVector seen = seen_by(here, block, pixel, own);
-        seen.parts = varying.parts();
-        return seen;
-      };
-      const SeenByVector low = vector(first, table[0]);
-      const SeenByVector high = vector(first + lanes, table[1]);
-      take(shade_pair(nullptr, &low, &high, wanted), wanted, first, colors);
+      const int second = first + lanes;
+      if (!in_one) {
+        look_at(seen_in_vector(varying, first).parts(), 0, first, second);
+        look_at(seen_in_vector(varying, second).parts(), 1, second, second + lanes);
+      }
+      const std::size_t high = in_one ? 0 : 1;
+      const std::array<SeenByVector, 2> seen = {
+          {{&table[0], &numbers[0]}, {&table[high], &numbers[high]}}};
+      take(shade_pair(nullptr, &seen, &weights, first, wanted), wanted, first, colors);
     }
   }
 
@@ -224,46 +239,11 @@ class TileShading {
   static PartsOfBlock seen_in_vector(const PartsOfBlock& varying, int first) {
     PartsOfBlock here;
     for (const VisiblePart& part : varying.parts()) {
-      if (lanes_at(part.mask, first) != 0) here.add(part);
+      const BlockMask mask = part.mask & (BlockMask{all_lanes} << first);
+      if (mask != 0) here.add({mask, part.slot});
     }
-    if (here.count == 0) here.add(varying.part[0]);
+    if (here.count == 0) here.add({BlockMask{1} << first, varying.part[0].slot});
     return here;
-  }
-
-  static std::uint32_t lanes_at(BlockMask mask, int first) {
-    return static_cast<std::uint32_t>(mask >> first) & all_lanes;
-  }
-
-  /// What a vector of a block's pixels sees, or, without a block, triangles that are the same all
-  /// over, one per lane.
-  struct SeenByVector {
-    static constexpr int no_block = -1;
-
-    int block = no_block;
-    int first = 0;
-    const Table* table = nullptr;
-    Ints number_in_table = Ints(0);
-    std::uint32_t front = 0;
-    bool any_large = false;
-    std::span<const VisiblePart> parts;
-  };
-
-  SeenByVector seen_by(const PartsOfBlock& parts, int block, int first, const Table& table) const {
-    SeenByVector seen;
-    seen.block = block;
-    seen.first = first;
-    seen.table = &table;
-    seen.parts = parts.parts();
-    for (std::size_t i = 0; i < parts.count; ++i) {
-      const std::uint32_t here = lanes_at(parts.part[i].mask, first);
-      if (here == 0) continue;
-      const ShadedTriangle& triangle = triangles_.triangle(parts.part[i].slot);
-      seen.number_in_table =
-          select(truth_of(here), Ints(static_cast<std::int32_t>(i)), seen.number_in_table);
-      seen.front |= triangle.front ? here : 0;
-      seen.any_large = seen.any_large || triangle.is_large;
-    }
-    return seen;
   }
 
   /// Beside those of constant triangles.
@@ -276,32 +256,43 @@ class TileShading {
     }
   }
 
-  /// Two vectors of a block's pixels that see a few triangles.
-  struct PartsOfPair {
-    struct Part {
-      std::int32_t slot;
-      std::uint32_t lanes;
-      const EdgesInBlock* edges;
-    };
-    int first = 0;
-    std::size_t count = 0;
-    std::array<Part, most_by_themselves> part;
+  /// What two vectors of pixels see: one triangle, or one of two.
+  struct OneOrTwo {
+    const OneRecord* first;
+    const OneRecord* second;  ///< nullptr: there is none
+    std::uint32_t is_second;  ///< lanes of the pair
   };
 
-  /// Of `few`, or of any number in two vectors.
-  RASTERLAB_FLATTEN PairColors shade_pair(const PartsOfPair* few, const SeenByVector* low,
-                                          const SeenByVector* high, std::uint32_t wanted) const {
+  /// Of `few`, or of any number in two vectors; without weights, of some that are the same all
+  /// over.
+  RASTERLAB_FLATTEN PairColors shade_pair(const OneOrTwo* few,
+                                          const std::array<SeenByVector, 2>* many,
+                                          const WeightsInBlock* weights, int first,
+                                          std::uint32_t wanted) const {
     PairColors colors;
     Point<NumberPair> point;
     if (few != nullptr) {
-      point = see_part(few->part[0], few->first);
-      for (std::size_t i = 1; i < few->count; ++i) {
-        const std::uint32_t here = few->part[i].lanes;
-        point = chosen({truth_of(here), truth_of(here >> lanes)},
-                       see_part(few->part[i], few->first), point);
+      const PixelWeights low_weights = weights->at(first);
+      const PixelWeights high_weights = weights->at(first + lanes);
+      if (few->second == nullptr) {
+        point =
+            join(surface_point(low_weights, *few->first), surface_point(high_weights, *few->first));
+      } else {
+        const auto one_of_two = [few](std::uint32_t is_second) {
+          return OneOfTwoRecords(*few->first, *few->second, truth_of(is_second));
+        };
+        point = join(surface_point(low_weights, one_of_two(few->is_second)),
+                     surface_point(high_weights, one_of_two(few->is_second >> lanes)));
       }
     } else {
-      point = join(see(*low), see(*high));
+      const EachRecord low = (*many)[0].records(first);
+      const EachRecord high = (*many)[1].records(first + lanes);
+      if (weights != nullptr) {
+        point = join(surface_point(weights->at(first), low),
+                     surface_point(weights->at(first + lanes), high));
+      } else {
+        point = join(constant_point(low), constant_point(high));
+      }
     }
     const Fragment<NumberPair> fragment = shade(point, wanted);
     write_bytes(fragment.color, colors.packed.data());
@@ -341,19 +332,23 @@ class TileShading {
 
   void shade_constant(std::span<const std::int32_t> slot) {
     std::array<Table, 2> table;
+    RecordNumbers numbers;
+    for (std::size_t i = 0; i < 2 * lanes; ++i) {
+      numbers.number[i] = static_cast<std::int32_t>(i % lanes);
+    }
     std::array<SeenByVector, 2> seen;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       std::array<VisiblePart, lanes> part;
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        part[lane] = {0, slot[std::min(i * lanes + lane, slot.size() - 1)]};
-        if (triangles_.triangle(part[lane].slot).front) seen[i].front |= 1U << lane;
+        const std::size_t at = i * lanes + lane;
+        part[lane] = {0, slot[std::min(at, slot.size() - 1)]};
+        if (triangles_.triangle(part[lane].slot).front) numbers.front |= BlockMask{1} << at;
       }
       table[i].fill(triangles_, part);
-      seen[i].table = &table[i];
-      seen[i].number_in_table = iota(0);
+      seen[i] = {&table[i], &numbers};
     }
     const std::uint32_t wanted = all_pair_lanes >> (2 * lanes - static_cast<int>(slot.size()));
-    const PairColors colors = shade_pair(nullptr, &seen[0], &seen[1], wanted);
+    const PairColors colors = shade_pair(nullptr, &seen, nullptr, 0, wanted);
     for (std::size_t i = 0; i < slot.size(); ++i) {
       ShadedTriangle& triangle = triangles_.triangle(slot[i]);
       triangle.color = colors.packed[i];
@@ -364,101 +359,19 @@ class TileShading {
   // -------------------------------------------------------------------------------------------
   // What a pixel sees
 
-  /// Edge functions, exactly; 0 is what the others leave of twice the area.
-  struct Edges {
-    Doubles e0, e1, e2;
-  };
-
-  Point<NumberPair> see_part(const typename PartsOfPair::Part& part, int first) const {
-    const OneRecord record(triangles_, part.slot);
-    const auto half = [&](int pixel) {
-      return surface_point(
-          {part.edges->at(0, pixel), part.edges->at(1, pixel), part.edges->at(2, pixel)}, record);
-    };
-    return join(half(first), half(first + lanes));
-  }
-
-  static Point<NumberPair> chosen(TruthPair condition, const Point<NumberPair>& if_true,
-                                  const Point<NumberPair>& if_false) {
-    return {chosen(condition, if_true.value, if_false.value),
-            chosen(condition, if_true.dx, if_false.dx), chosen(condition, if_true.dy, if_false.dy),
-            select(condition, if_true.front_facing, if_false.front_facing)};
-  }
-  static Varyings<NumberPair> chosen(TruthPair condition, const Varyings<NumberPair>& if_true,
-                                     const Varyings<NumberPair>& if_false) {
-    Varyings<NumberPair> result;
-    for_each_number([&](int i) {
-      number_of(result, i) = select(condition, number_of(if_true, i), number_of(if_false, i));
-    });
-    return result;
-  }
-
-  Point<Number> see(const SeenByVector& seen) const {
-    const Records records(*seen.table, seen.number_in_table, seen.front);
-    if (seen.block == SeenByVector::no_block) return constant_point(records);
-    return surface_point(seen.any_large ? edges_of_each(seen) : edges_at(seen, records), records);
-  }
-
-  static Point<Number> constant_point(const Records& records) {
+  static Point<Number> constant_point(const EachRecord& records) {
     Point<Number> point = {};
-    interpolate({Number(0), Number(0)}, records, point.value);
+    interpolate({Number(0), Number(0), Number(0)}, records, point.value);
     point.front_facing = records.front_facing();
     return point;
   }
 
-  /// The pixels' columns and rows in the tile.
-  struct Place {
-    Ints x, y;
-  };
-  Place place_of(const SeenByVector& seen) const {
-    const auto [left, top] = triangles_.place_of_block(seen.block);
-    const Ints pixel = iota(seen.first);
-    return {(pixel & Ints(7)) + Ints(left), shift_right<3>(pixel) + Ints(top)};
-  }
-
-  Edges edges_at(const SeenByVector& seen, const Records& r) const {
-    const Place place = place_of(seen);
-    const auto edge = [&](int at_first, int step_x, int step_y) {
-      return to_doubles(r.integer(at_first) +
-                        shift_left<8>(place.x * r.integer(step_x) + place.y * r.integer(step_y)));
-    };
-    const Doubles e1 = edge(word::edge1, word::step1_x, word::step1_y);
-    const Doubles e2 = edge(word::edge2, word::step2_x, word::step2_y);
-    return {r.integer_as_doubles(word::area) - (e1 + e2), e1, e2};
-  }
-
-  /// When some are large.
-  [[gnu::noinline]] Edges edges_of_each(const SeenByVector& seen) const {
-    alignas(64) std::array<std::array<double, lanes>, 3> each = {};
-    for (const VisiblePart& part : seen.parts) {
-      const std::uint32_t here = lanes_at(part.mask, seen.first);
-      if (here == 0) continue;
-      const EdgesInBlock edges =
-          triangles_.edges_in_block(part.slot, seen.block, std::countr_zero(part.mask));
-      for (std::size_t e = 0; e < 3; ++e) {
-        alignas(64) std::array<double, lanes> own;
-        store(edges.at(e, seen.first), own.data());
-        for (std::uint32_t rest = here; rest != 0; rest &= rest - 1) {
-          const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-          each[e][lane] = own[lane];
-        }
-      }
-    }
-    return {load(each[0].data()), load(each[1].data()), load(each[2].data())};
-  }
-
   template <class Record>
-  static Point<Number> surface_point(const Edges& edges, const Record& r) {
-    const Doubles q1 = edges.e1 * r.number_as_doubles(word::ratio1);
-    const Doubles q2 = edges.e2 * r.number_as_doubles(word::ratio2);
-    const Doubles inverse = Doubles(1) / (edges.e0 + (q1 + q2));
-    const CornerWeights<Number> weights = {to_number(q1 * inverse), to_number(q2 * inverse)};
+  static Point<Number> surface_point(const PixelWeights& weights, const Record& r) {
     Point<Number> point;
     interpolate(weights, r, point.value);
-    differentiate(derivative(r, word::step1_x, word::step2_x), weights, to_number(inverse), r,
-                  point.dx);
-    differentiate(derivative(r, word::step1_y, word::step2_y), weights, to_number(inverse), r,
-                  point.dy);
+    differentiate(derivative(r, word::step1_x, word::step2_x), weights, r, point.dx);
+    differentiate(derivative(r, word::step1_y, word::step2_y), weights, r, point.dy);
     point.front_facing = r.front_facing();
     return point;
   }
@@ -477,23 +390,22 @@ class TileShading {
   }
 
   template <class Record>
-  static Number difference(const CornerWeights<Number>& weights, const Record& r, int i) {
+  static Number difference(const PixelWeights& weights, const Record& r, int i) {
     return weights.b1 * to_1(r, i) + weights.b2 * to_2(r, i);
   }
 
   template <class Record>
-  static void interpolate(const CornerWeights<Number>& weights, const Record& r,
-                          Varyings<Number>& value) {
+  static void interpolate(const PixelWeights& weights, const Record& r, Varyings<Number>& value) {
     for_each_number([&](int i) { number_of(value, i) = at_0(r, i) + difference(weights, r, i); });
   }
 
   /// With a = a0 + (q1·d1 + q2·d2) / Q: a' = (q1'·d1 + q2'·d2 − (a − a0)·Q') / Q.
   template <class Record>
-  static void differentiate(const Derivatives& d, const CornerWeights<Number>& weights,
-                            Number inverse, const Record& r, Varyings<Number>& result) {
+  static void differentiate(const Derivatives& d, const PixelWeights& weights, const Record& r,
+                            Varyings<Number>& result) {
     for_each_number([&](int i) {
       const Number steps = d.q1 * to_1(r, i) + d.q2 * to_2(r, i);
-      number_of(result, i) = (steps - difference(weights, r, i) * d.sum) * inverse;
+      number_of(result, i) = (steps - difference(weights, r, i) * d.sum) * weights.inverse;
     });
   }
 

@@ -512,6 +512,17 @@ inline void store(Doubles a, double* to) {
   if constexpr (!one_lane) hn::StoreU(a.high, DoubleTag(), to + half_lanes);
 }
 
+/// Eight numbers, `step` apart, of which number `at` is `value`; exactly so where they are whole.
+/// Written by whole vectors, which can be read again at once: by smaller ones a processor waits.
+inline void store_eight(double value, double step, int at, double* to) {
+  alignas(64) static constexpr std::array<double, 8> numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+  const DoubleTag tag;
+  for (std::size_t i = 0; i < 8; i += half_lanes) {
+    const auto steps = hn::Sub(hn::Load(tag, numbers.data() + i), hn::Set(tag, at));
+    hn::StoreU(hn::Add(hn::Set(tag, value), hn::Mul(hn::Set(tag, step), steps)), tag, to + i);
+  }
+}
+
 /// Of `lanes` pixels of a block of 8 × 8, row by row, beginning with pixel `first`: what its column
 /// has and what its row has, added up.
 inline Doubles sums_of_block(const double* column, const double* row, int first) {

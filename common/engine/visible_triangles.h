@@ -48,18 +48,56 @@ struct CornerVaryings {
   constexpr int record_size() const { return (word::count + 3 * count + 3) / 4 * 4; }
 };
 
-/// A triangle's edge functions all over a block, exactly: a pixel's is what its column has plus
-/// what its row has. Number 0 is what 1 and 2 leave of twice the area.
-struct EdgesInBlock {
-  alignas(64) std::array<std::array<double, 8>, 3> column;
-  alignas(64) std::array<std::array<double, 8>, 3> row;
+/// Of some pixels, each in the triangle it sees: what shading needs to know of where it is there.
+struct PixelWeights {
+  Number b1;       ///< of corner 1, perspective-correct
+  Number b2;       ///< of corner 2
+  Number inverse;  ///< 1 / (q0 + q1 + q2), for derivatives
+};
 
-  Doubles at(std::size_t edge, int first_pixel) const {
-    return sums_of_block(column[edge].data(), row[edge].data(), first_pixel);
+/// Perspective-correct weights, from exact edge functions: with q_i = E_i · w0/w_i they are
+/// q_i / (q_0 + q_1 + q_2), computed in double. They become floats last, so they are right to about
+/// a unit in the last place for slivers and for any ratio of w.
+struct Edges {
+  Doubles e0;  ///< what the others leave of twice the area
+  Doubles e1, e2;
+
+  PixelWeights weights(Doubles ratio1, Doubles ratio2) const {
+    const Doubles q1 = e1 * ratio1;
+    const Doubles q2 = e2 * ratio2;
+    const Doubles inverse = Doubles(1) / (e0 + (q1 + q2));
+    return {to_number(q1 * inverse), to_number(q2 * inverse), to_number(inverse)};
   }
 };
 
 inline constexpr std::uint32_t all_lanes = 0xFFFFFFFFU >> (32 - lanes);
+
+inline std::uint32_t lanes_at(BlockMask mask, int first) {
+  return static_cast<std::uint32_t>(mask >> first) & all_lanes;
+}
+
+/// The weights of a block's pixels. They are computed ahead for all of them: a division of doubles
+/// takes long, and so many can be on their way at once, none of them waited for by a shader.
+struct WeightsInBlock {
+  using OfPixels = std::array<float, 64>;
+  alignas(64) OfPixels b1;
+  alignas(64) OfPixels b2;
+  alignas(64) OfPixels inverse;
+
+  PixelWeights at(int first) const {
+    const auto i = static_cast<std::size_t>(first);
+    return {load(&b1[i]), load(&b2[i]), load(&inverse[i])};
+  }
+  void set(int first, const PixelWeights& weights) {
+    const auto i = static_cast<std::size_t>(first);
+    store(weights.b1, &b1[i]);
+    store(weights.b2, &b2[i]);
+    store(weights.inverse, &inverse[i]);
+  }
+};
+
+class EachRecord;
+struct RecordNumbers;
 
 class VisibleTriangles {
  public:
@@ -86,8 +124,15 @@ class VisibleTriangles {
     return std::span(scratch_.part).subspan(first, scratch_.parts_end[b] - first);
   }
 
-  /// Of a triangle that `pixel` of the block sees.
-  EdgesInBlock edges_in_block(std::int32_t slot, int block, int pixel) const;
+  /// Of a triangle's pixels in a block, beside those that have theirs already.
+  void weigh(const VisiblePart& part, int block, BlockMask already, WeightsInBlock& weights) const;
+  /// Of `parts`, each pixel from `first` to before `end` has the number of the one it sees.
+  void number_pixels(std::span<const VisiblePart> parts, int first, int end,
+                     RecordNumbers& numbers) const;
+  /// Weights of these pixels, whose records are in a table.
+  void weigh_each(std::span<const VisiblePart> parts, const std::array<float, 16>* words,
+                  const RecordNumbers& numbers, int block, int first, int end,
+                  WeightsInBlock& weights) const;
 
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;
@@ -104,7 +149,10 @@ class VisibleTriangles {
   struct CornerLanes;
   struct TriangleLanes;
   struct PartOfClipped;
+  struct EdgesInBlock;
 
+  EdgesInBlock edges_in_block(std::int32_t slot, int block, int pixel) const;
+  PixelWeights weights_of_each(const EachRecord& records, int block, int first) const;
   std::uint32_t triangle_of(std::uint32_t key) const { return key - job_.first_key; }
   float* record(std::size_t slot) {
     return scratch_.record.data() + slot * static_cast<std::size_t>(varyings_.record_size());

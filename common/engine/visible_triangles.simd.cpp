@@ -1,5 +1,7 @@
 #include "common/engine/visible_triangles.h"
 
+#include "common/engine/pixel_records.h"
+
 #include <bit>
 
 namespace rasterlab::RASTERLAB_SIMD {
@@ -383,7 +385,23 @@ BlockMask VisibleTriangles::covered(const std::array<SnappedCorner, 3>& corner, 
 // ---------------------------------------------------------------------------------------------
 // For shading
 
-EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block, int pixel) const {
+/// A triangle's edge functions all over a block, exactly: a pixel's is what its column has plus
+/// what its row has.
+struct VisibleTriangles::EdgesInBlock {
+  alignas(64) std::array<std::array<double, 8>, 3> column;
+  alignas(64) std::array<std::array<double, 8>, 3> row;
+
+  Edges at(int first_pixel) const {
+    const auto edge = [&](std::size_t i) {
+      return sums_of_block(column[i].data(), row[i].data(), first_pixel);
+    };
+    return {edge(0), edge(1), edge(2)};
+  }
+};
+
+/// Of a triangle that `pixel` of the block sees.
+inline VisibleTriangles::EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block,
+                                                                       int pixel) const {
   const float* words = record(slot);
   const ShadedTriangle& shaded = triangle(slot);
   const auto integer = [words](int i) { return std::bit_cast<std::int32_t>(words[i]); };
@@ -402,10 +420,8 @@ EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block, int 
   };
   EdgesInBlock edges;
   const auto set = [&](std::size_t e, double here, double step_x, double step_y) {
-    for (int i = 0; i < 8; ++i) {
-      edges.column[e][static_cast<std::size_t>(i)] = step_x * (i - x);
-      edges.row[e][static_cast<std::size_t>(i)] = here + step_y * (i - y);
-    }
+    store_eight(0, step_x, x, edges.column[e].data());
+    store_eight(here, step_y, y, edges.row[e].data());
   };
   const double area = shaded.is_large ? shaded.edges[2] : integer(word::area);
   const double e1 = at_pixel(1, word::edge1, word::step1_x, word::step1_y);
@@ -416,6 +432,71 @@ EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block, int 
   set(1, e1, step(word::step1_x), step(word::step1_y));
   set(2, e2, step(word::step2_x), step(word::step2_y));
   return edges;
+}
+
+void VisibleTriangles::weigh(const VisiblePart& part, int block, BlockMask already,
+                             WeightsInBlock& weights) const {
+  const EdgesInBlock edges = edges_in_block(part.slot, block, std::countr_zero(part.mask));
+  const Doubles ratio1(record(part.slot)[word::ratio1]);
+  const Doubles ratio2(record(part.slot)[word::ratio2]);
+  for (int first = 0; first < 64; first += lanes) {
+    const std::uint32_t here = lanes_at(part.mask, first);
+    if (here == 0) continue;
+    PixelWeights own = edges.at(first).weights(ratio1, ratio2);
+    if (lanes_at(already, first) != 0) {
+      const Truth chosen = truth_of(here);
+      const PixelWeights others = weights.at(first);
+      own = {select(chosen, own.b1, others.b1), select(chosen, own.b2, others.b2),
+             select(chosen, own.inverse, others.inverse)};
+    }
+    weights.set(first, own);
+  }
+}
+
+void VisibleTriangles::number_pixels(std::span<const VisiblePart> parts, int first, int end,
+                                     RecordNumbers& numbers) const {
+  std::array<Ints, 64 / lanes> number;
+  for (Ints& own : number) own = Ints(0);
+  numbers.front = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const VisiblePart& part = parts[i];
+    const Ints own(static_cast<std::int32_t>(i));
+    for (int pixel = first; pixel < end; pixel += lanes) {
+      Ints& there = number[static_cast<std::size_t>(pixel / lanes)];
+      there = select(truth_of(lanes_at(part.mask, pixel)), own, there);
+    }
+    numbers.front |= triangle(part.slot).front ? part.mask : 0;
+  }
+  for (int pixel = first; pixel < end; pixel += lanes) {
+    store(number[static_cast<std::size_t>(pixel / lanes)],
+          &numbers.number[static_cast<std::size_t>(pixel)]);
+  }
+}
+
+void VisibleTriangles::weigh_each(std::span<const VisiblePart> parts,
+                                  const std::array<float, 16>* words, const RecordNumbers& numbers,
+                                  int block, int first, int end, WeightsInBlock& weights) const {
+  for (int pixel = first; pixel < end; pixel += lanes) {
+    weights.set(pixel, weights_of_each(EachRecord(words, numbers, pixel), block, pixel));
+  }
+  for (const VisiblePart& part : parts) {
+    if (triangle(part.slot).is_large) weigh(part, block, ~BlockMask{0}, weights);
+  }
+}
+
+PixelWeights VisibleTriangles::weights_of_each(const EachRecord& r, int block, int first) const {
+  const Place place = place_of_block(block);
+  const Ints pixel = iota(first);
+  const Ints x = (pixel & Ints(7)) + Ints(place.x);
+  const Ints y = shift_right<3>(pixel) + Ints(place.y);
+  const auto edge = [&](int at_first, int step_x, int step_y) {
+    return to_doubles(r.integer(at_first) +
+                      shift_left<8>(x * r.integer(step_x) + y * r.integer(step_y)));
+  };
+  const Doubles e1 = edge(word::edge1, word::step1_x, word::step1_y);
+  const Doubles e2 = edge(word::edge2, word::step2_x, word::step2_y);
+  const Edges edges = {to_doubles(r.integer(word::area)) - (e1 + e2), e1, e2};
+  return edges.weights(to_doubles(r.number(word::ratio1)), to_doubles(r.number(word::ratio2)));
 }
 
 namespace {
