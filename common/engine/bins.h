@@ -1,6 +1,7 @@
 // What passes from the front end, which works by cluster, to the back end, which works by tile.
 #pragma once
 
+#include "common/engine/frame_access.h"
 #include "common/engine/huge_pages.h"
 #include "common/engine/statistics.h"
 
@@ -190,6 +191,7 @@ struct alignas(64) Worker {
   std::vector<ThinInTile> thin_in_tile;  ///< … and its slivers, …
   std::vector<ThinInTile> thin_sorted;
   alignas(64) PixelWords words;  ///< … and for what these draw
+  TileMemory passing_tile;       ///< for one that the framebuffer doesn't keep
 
   void begin(int tiles) {
     arena.reset();

@@ -12,6 +12,7 @@ struct Skips {
   bool hidden_clusters = true;   ///< clusters behind what is already drawn
   bool hidden_triangles = true;  ///< triangles, or what of them is in a block of 8×8 pixels
   bool front_to_back = true;     ///< draws near clusters first, so that more is hidden
+  bool unwanted_depth = true;    ///< depth and triangle numbers that a draw call need not keep
 };
 
 struct EngineOptions {

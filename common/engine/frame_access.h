@@ -3,10 +3,13 @@
 
 #include "common/engine/framebuffer.h"
 
+#include <array>
+
 namespace rasterlab {
 
 /// One tile's share of a framebuffer.
 struct Tile {
+  int index = 0;
   int left = 0;  ///< of the picture's pixels
   int top = 0;
   int size = 0;   ///< a side, in pixels
@@ -20,6 +23,15 @@ struct Tile {
 
   int blocks_per_row() const { return size / 8; }
   int block_count() const { return size * size / 64; }
+  int pixel_count() const { return size * size; }
+};
+
+/// Room for the depth and keys of a tile that a framebuffer needn't keep.
+struct TileMemory {
+  static constexpr std::size_t most_pixels = std::size_t{64} * 64;
+
+  alignas(64) std::array<float, most_pixels> depth;
+  alignas(64) std::array<std::uint32_t, most_pixels> key;
 };
 
 class FrameAccess {
@@ -35,6 +47,7 @@ class FrameAccess {
   int tiles_y() const { return frame_.tiles_y_; }
   int tile_count() const { return frame_.tile_count(); }
   std::uint32_t& keys_used() const { return frame_.keys_used_; }
+  Keep& kept() const { return frame_.kept_; }
   float& tile_far(int tile) const { return frame_.tile_far_[static_cast<std::size_t>(tile)]; }
   const float* tile_fars() const { return frame_.tile_far_.get(); }
   const float* block_fars() const { return frame_.block_far_.get(); }
@@ -42,6 +55,7 @@ class FrameAccess {
 
   Tile tile(int index) const {
     Tile tile;
+    tile.index = index;
     tile.size = frame_.tile_size_;
     tile.left = index % frame_.tiles_x_ * tile.size;
     tile.top = index / frame_.tiles_x_ * tile.size;
@@ -56,13 +70,20 @@ class FrameAccess {
     return tile;
   }
 
+  /// A tile with its depth and keys elsewhere.
+  Tile tile_in(TileMemory& memory, int index) const {
+    Tile there = tile(index);
+    there.depth = memory.depth.data();
+    there.key = memory.key.data();
+    return there;
+  }
+
   /// Wipes a tile that nothing was drawn into since clear().
-  void prepare(int index) const {
-    std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(index)];
+  void prepare(const Tile& tile) const {
+    std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(tile.index)];
     if (drawn != 0) return;
-    const Tile cleared = tile(index);
-    std::fill_n(cleared.depth, frame_.tile_pixels(), 0.0F);
-    std::fill_n(cleared.key, frame_.tile_pixels(), 0U);
+    std::fill_n(tile.depth, tile.pixel_count(), 0.0F);
+    std::fill_n(tile.key, tile.pixel_count(), 0U);
     drawn = 1;
   }
 

@@ -49,6 +49,7 @@ void Framebuffer::clear(const Rgb8& background) {
   std::fill_n(block_far_.get(), drawn_.size() * static_cast<std::size_t>(tile_pixels()) / 64, 0.0F);
   background_ = background_there_ = background;
   keys_used_ = 0;
+  kept_ = Keep::everything;
 }
 
 void Framebuffer::fill_background(int tile) const {
@@ -89,17 +90,26 @@ Image<Pixel> Framebuffer::read(const Value* values, Pixel empty) const {
   return image;
 }
 
+void Framebuffer::expect_ids() const {
+  if (kept_ != Keep::everything) {
+    throw CheckError("the last draw call did not keep which triangle each pixel shows");
+  }
+}
+
 Image<std::int32_t> Framebuffer::ids() const {
+  expect_ids();
   Image<std::int32_t> image = read<std::uint32_t, std::int32_t>(key_.get(), 0);
   for (std::int32_t& id : image.pixels()) --id;
   return image;
 }
 
 Image<float> Framebuffer::depth() const {
+  if (kept_ == Keep::color) throw CheckError("the last draw call did not keep depth");
   return read<float, float>(depth_.get(), 0.0F);
 }
 
 Image<float> Framebuffer::distance(const Eigen::Matrix4f& projection) const {
+  expect_ids();
   // Along the view axis, z of the camera's frame: w = γz + δ and depth · w = αz + β.
   const Eigen::Matrix4d p = projection.cast<double>();
   const double alpha = (p(3, 2) - p(2, 2)) / 2;

@@ -12,6 +12,14 @@
 
 namespace rasterlab {
 
+/// What of a framebuffer is still wanted after a draw call. What isn't need not reach memory: a
+/// tile at work then stays in the cache of the core that draws it.
+enum class Keep : std::uint8_t {
+  everything,  ///< more may be drawn into it
+  depth,       ///< the picture and its depth
+  color,       ///< the picture
+};
+
 /// A picture in the making: colour, depth and which triangle is seen, kept tile by tile. clear()
 /// costs nothing by itself: a tile is wiped when something is first drawn into it.
 class Framebuffer {
@@ -29,16 +37,19 @@ class Framebuffer {
   /// The picture.
   const Image<Rgb8>& color() const;
 
+  // All of these throw CheckError when the last draw call did not keep what they give.
+
   /// Per pixel, the number of the triangle that is seen: its index in its mesh, plus the triangles
-  /// of all meshes drawn before since clear(); −1 where nothing was drawn.
+  /// of all meshes drawn before since clear(); −1 where nothing was drawn. For Keep::everything.
   Image<std::int32_t> ids() const;
 
   /// Per pixel, reversed depth: (1 − z/w)/2 of clip space, from 1 on the near plane down to 0 far
-  /// away, 0 where nothing was drawn.
+  /// away, 0 where nothing was drawn. Not for Keep::color.
   Image<float> depth() const;
 
   /// Per pixel, the distance along the view axis, +∞ where nothing was drawn. `projection` is the
-  /// matrix from the camera's frame to clip space with which everything was drawn.
+  /// matrix from the camera's frame to clip space with which everything was drawn. For
+  /// Keep::everything.
   Image<float> distance(const Eigen::Matrix4f& projection) const;
 
  private:
@@ -49,6 +60,7 @@ class Framebuffer {
   int tile_count() const { return tiles_x_ * tiles_y_; }
   int tile_pixels() const { return tile_size_ * tile_size_; }
   void fill_background(int tile) const;
+  void expect_ids() const;
 
   int width_;
   int height_;
@@ -57,6 +69,7 @@ class Framebuffer {
   int tiles_y_;
   Rgb8 background_;
   std::uint32_t keys_used_ = 0;  ///< triangles of the draw calls since clear()
+  Keep kept_ = Keep::everything;
 
   // Per tile.
   std::vector<std::uint8_t> drawn_;              ///< its depth and keys are valid

@@ -35,6 +35,7 @@ struct DrawJob {
   Cull cull;  ///< as seen in the picture: `mirrored` is taken care of
   bool mirrored;
   Skips skip;
+  Keep keep;
   std::uint32_t first_key;  ///< of triangle 0; triangle t has first_key + t
   const void* shader;
   const ShadingKernels* shading;  ///< nullptr: depth only
@@ -57,7 +58,8 @@ struct EngineKernels {
   void (*bin_clusters)(const DrawJob& job, std::span<const VisibleCluster> clusters,
                        Worker& worker);
   /// Draws the depth and keys of what all workers put into one tile's bins.
-  void (*draw_tile)(const DrawJob& job, int tile, std::span<Worker> workers, Worker& worker);
+  void (*draw_tile)(const DrawJob& job, const Tile& tile, std::span<Worker> workers,
+                    Worker& worker);
 };
 
 }  // namespace rasterlab

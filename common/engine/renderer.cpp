@@ -140,9 +140,13 @@ class Drawing {
     });
     const bool every_tile = last || bytes_binned() > most_binned;
     const std::uint32_t enough = every_tile ? 1 : enough_for_a_tile;
-    threads_.for_each(job_.frame.tile_count(), [&](int tile, Worker& worker) {
-      if (worth_drawing(tile) >= enough) draw_tile(tile, worker);
-      if (last) finish_tile(tile, worker);
+    threads_.for_each(job_.frame.tile_count(), [&](int index, Worker& worker) {
+      const bool passing = last && is_passing(index);
+      const Tile tile = passing ? job_.frame.tile_in(worker.passing_tile, index) : job_.frame.tile(index);
+      if (worth_drawing(index) >= enough) draw_tile(tile, worker);
+      if (!last) return;
+      finish_tile(tile, worker);
+      if (passing && was_drawn(index)) leave(tile, worker);
     });
     if (!every_tile) return;
     for (Worker& worker : threads_.workers) worker.arena.reset();
@@ -160,23 +164,37 @@ class Drawing {
     return worth;
   }
 
-  void draw_tile(int tile, Worker& worker) {
-    job_.frame.prepare(tile);
-    kernels_.draw_tile(job_, tile, threads_.workers, worker);
-    for (Worker& from : threads_.workers) from.bin(tile) = {};
+  bool was_drawn(int tile) const { return job_.frame.drawn()[tile] != 0; }
+
+  /// Whether a tile that is drawn now, at last, can do without the framebuffer's memory.
+  bool is_passing(int tile) const {
+    return job_.keep != Keep::everything && job_.skip.unwanted_depth && !was_drawn(tile);
   }
 
-  void finish_tile(int tile, Worker& worker) {
-    const bool drawn = job_.frame.drawn()[tile] != 0;
+  void draw_tile(const Tile& tile, Worker& worker) {
+    job_.frame.prepare(tile);
+    kernels_.draw_tile(job_, tile, threads_.workers, worker);
+    for (Worker& from : threads_.workers) from.bin(tile.index) = {};
+  }
+
+  void finish_tile(const Tile& tile, Worker& worker) {
+    const bool drawn = was_drawn(tile.index);
     ++(drawn ? worker.statistics.tiles_drawn : worker.statistics.tiles_untouched);
     if (job_.shading == nullptr) return;
-    const bool all_drawn = drawn && job_.frame.tile_far(tile) > 0;
-    if (job_.frame.color_state(tile) == FrameAccess::stale && !all_drawn) {
-      job_.frame.fill_background(tile);
+    const bool all_drawn = drawn && job_.frame.tile_far(tile.index) > 0;
+    if (job_.frame.color_state(tile.index) == FrameAccess::stale && !all_drawn) {
+      job_.frame.fill_background(tile.index);
     }
     if (!drawn) return;
-    job_.shading->shade_tile(job_, job_.frame.tile(tile), worker);
-    job_.frame.color_state(tile) = FrameAccess::picture;
+    job_.shading->shade_tile(job_, tile, worker);
+    job_.frame.color_state(tile.index) = FrameAccess::picture;
+  }
+
+  /// What of a passing tile is wanted goes to the framebuffer.
+  void leave(const Tile& tile, Worker& worker) {
+    ++worker.statistics.tiles_not_kept;
+    if (job_.keep != Keep::depth) return;
+    std::copy_n(tile.depth, tile.pixel_count(), job_.frame.tile(tile.index).depth);
   }
 
   const DrawJob& job_;
@@ -213,12 +231,16 @@ Statistics Renderer::draw(const DrawCall& call, Framebuffer& frame) {
   if (call.mesh == nullptr) throw CheckError("a draw call without a mesh");
   const auto start = std::chrono::steady_clock::now();
   FrameAccess access(frame);
+  if (access.kept() != Keep::everything) {
+    throw CheckError("the draw call before did not keep everything: clear the framebuffer first");
+  }
   const std::uint32_t first_key = take_keys(access, call.mesh->mesh().triangles.size());
   const DrawJob job = {call.mesh,
                        ClipTransform(call.matrix, frame.width(), frame.height()),
                        cull_in_picture(call),
                        call.mirrored,
                        options_.skip,
+                       call.keep,
                        first_key,
                        call.shading.shader,
                        call.shading.kernels[static_cast<std::size_t>(options_.simd)],
@@ -229,6 +251,7 @@ Statistics Renderer::draw(const DrawCall& call, Framebuffer& frame) {
     threads_->team.stay(on_core);
     Drawing(job, kernels_for(options_.simd), *threads_).run();
   }
+  access.kept() = call.keep;
   Statistics total;
   for (const Worker& worker : threads_->workers) total += worker.statistics;
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;

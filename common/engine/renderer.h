@@ -31,6 +31,7 @@ struct DrawCall {
   Cull cull = Cull::none;
   bool mirrored = false;  ///< the matrix turns left into right: fronts go clockwise
   Shading shading = {};   ///< as shading(shader) gives it; by default only depth and ids are drawn
+  Keep keep = Keep::everything;  ///< if less, the framebuffer must be cleared before the next one
 };
 
 class Renderer {
@@ -44,8 +45,9 @@ class Renderer {
   /// triangle drawn earlier, or earlier in the mesh. One thread at a time may draw with a renderer.
   /// Returns what was done and what was skipped.
   ///
-  /// Throws CheckError when there is no mesh, or more than 2^31 triangles since clear(); InputError
-  /// when this machine can't run the SIMD target.
+  /// Throws CheckError when there is no mesh, when the draw call before did not keep everything, or
+  /// for more than 2^31 triangles since clear(); InputError when this machine can't run the SIMD
+  /// target.
   Statistics draw(const DrawCall& call, Framebuffer& frame);
 
  private:

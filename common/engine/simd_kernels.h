@@ -8,6 +8,6 @@ namespace rasterlab::RASTERLAB_SIMD {
 void find_visible(const DrawJob& job, std::uint32_t begin, std::uint32_t end,
                   std::vector<VisibleCluster>& visible, Statistics& statistics);
 void bin_clusters(const DrawJob& job, std::span<const VisibleCluster> clusters, Worker& worker);
-void draw_tile(const DrawJob& job, int tile, std::span<Worker> workers, Worker& worker);
+void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, Worker& worker);
 
 }  // namespace rasterlab::RASTERLAB_SIMD

@@ -12,7 +12,7 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 17> fields = {{
+constexpr std::array<Field, 18> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
     {"clusters_facing_away", &Statistics::clusters_facing_away},
@@ -28,6 +28,7 @@ constexpr std::array<Field, 17> fields = {{
     {"blocks_hidden", &Statistics::blocks_hidden},
     {"tiles_drawn", &Statistics::tiles_drawn},
     {"tiles_untouched", &Statistics::tiles_untouched},
+    {"tiles_not_kept", &Statistics::tiles_not_kept},
     {"pixels_shaded", &Statistics::pixels_shaded},
     {"triangles_shaded", &Statistics::triangles_shaded},
 }};

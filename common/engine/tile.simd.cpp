@@ -79,8 +79,8 @@ void draw_slivers(const Tile& tile, int index, std::span<Worker> workers, Worker
 
 }  // namespace
 
-void draw_tile(const DrawJob& job, int index, std::span<Worker> workers, Worker& worker) {
-  const Tile tile = job.frame.tile(index);
+void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, Worker& worker) {
+  const int index = tile.index;
   std::vector<NearTriangle>& large = worker.near_first;
   large.clear();
   const auto larges = [](const TileBin& bin) { return bin.large; };

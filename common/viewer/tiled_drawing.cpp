@@ -35,11 +35,13 @@ Framebuffer& TiledDrawing::cleared(int width, int height) {
 
 nlohmann::json TiledDrawing::draw(const View& view, const Shading& shading, Frame& frame) {
   Framebuffer& target = cleared(frame.width(), frame.height());
+  const bool picture_only = frame.distance.empty() && frame.ids.empty();
   const Statistics counts = renderer_.draw({.mesh = &mesh_,
                                             .matrix = view.transforms.to_clip(),
                                             .cull = cull_,
                                             .mirrored = view.transforms.mirrored(),
-                                            .shading = shading},
+                                            .shading = shading,
+                                            .keep = picture_only ? Keep::color : Keep::everything},
                                            target);
   frame.color = target.color();
   if (!frame.distance.empty()) frame.distance = target.distance(view.transforms.projection);
