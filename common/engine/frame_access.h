@@ -16,11 +16,12 @@ struct Tile {
   int width = 0;  ///< what of it lies in the picture
   int height = 0;
   float* depth = nullptr;
-  std::uint32_t* key = nullptr;
+  std::uint32_t* key = nullptr;  ///< nullptr: nobody asks which triangle is seen, only how far away
   float* block_far = nullptr;
   Rgb8* color = nullptr;      ///< the tile's first pixel in the picture …
   std::ptrdiff_t stride = 0;  ///< … and how far it is to the next row
 
+  bool has_keys() const { return key != nullptr; }
   int blocks_per_row() const { return size / 8; }
   int block_count() const { return size * size / 64; }
   int pixel_count() const { return size * size; }
@@ -83,7 +84,7 @@ class FrameAccess {
     std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(tile.index)];
     if (drawn != 0) return;
     std::fill_n(tile.depth, tile.pixel_count(), 0.0F);
-    std::fill_n(tile.key, tile.pixel_count(), 0U);
+    if (tile.has_keys()) std::fill_n(tile.key, tile.pixel_count(), 0U);
     drawn = 1;
   }
 

@@ -30,14 +30,19 @@ class HitList {
     if (count_ > capacity) write();
     store_packed(hit, place, place_.data() + count_);
     store_packed(hit, bit_pattern(depth), depth_.data() + count_);
-    store_packed(hit, key, key_.data() + count_);
+    if (tile_.has_keys()) store_packed(hit, key, key_.data() + count_);
     count_ += std::popcount(bits(hit));
   }
 
   void write() {
     for (int i = 0; i < count_; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      write_one(place_[at], std::bit_cast<float>(depth_[at]), static_cast<std::uint32_t>(key_[at]));
+      const auto depth = std::bit_cast<float>(depth_[at]);
+      if (tile_.has_keys()) {
+        write_one(place_[at], depth, static_cast<std::uint32_t>(key_[at]));
+      } else {
+        write_depth(place_[at], depth);
+      }
     }
     count_ = 0;
   }
@@ -54,6 +59,13 @@ class HitList {
     }
     key_there ^= (key ^ key_there) & nearer;
     depth_there = depth > depth_there ? depth : depth_there;
+  }
+
+  /// Where nobody asks for triangle numbers.
+  void write_depth(std::int32_t place, float depth) {
+    float& depth_there = tile_.depth[place];
+    written_ |= BlockMask{1} << (place >> 6);
+    depth_there = std::max(depth, depth_there);
   }
 
   /// Blocks written to since the last call.

@@ -41,6 +41,9 @@ struct DrawJob {
   const ShadingKernels* shading;  ///< nullptr: depth only
   FrameAccess frame;
 
+  bool wants_depth_only() const {
+    return shading == nullptr && keep != Keep::everything && skip.unwanted_depth;
+  }
   bool discards() const { return shading != nullptr && shading->keep != nullptr; }
 };
 

@@ -197,10 +197,13 @@ class LargeDrawing {
       return (outside(0) | outside(1) | outside(2)) >= Ints(0);
     };
     float* depth_there = tile_.depth + block * 64;
-    std::uint32_t* key_there = tile_.key + block * 64;
+    std::uint32_t* key_there = tile_.has_keys() ? tile_.key + block * 64 : nullptr;
     const Ints key(static_cast<std::int32_t>(triangle_.key));
-    const auto nearer_in = [&](std::size_t g, Number depth, Number old_depth, Ints old_key) {
-      const Truth nearer = depth > old_depth || (depth == old_depth && key < old_key);
+    const auto nearer_in = [&](std::size_t g, Number depth, Number old_depth) {
+      Truth nearer = depth > old_depth;
+      if (key_there != nullptr) {
+        nearer = nearer || (depth == old_depth && key < load(key_there + g * lanes));
+      }
       if constexpr (whole) return nearer;
       return nearer && covered_in(g);
     };
@@ -208,8 +211,7 @@ class LargeDrawing {
     if (job_.discards()) {
       kept = 0;
       for (std::size_t g = 0; g < groups; ++g) {
-        const Truth nearer =
-            nearer_in(g, depth_of(g), load(depth_there + g * lanes), load(key_there + g * lanes));
+        const Truth nearer = nearer_in(g, depth_of(g), load(depth_there + g * lanes));
         kept |= static_cast<BlockMask>(bits(nearer)) << (g * lanes);
       }
       kept = job_.shading->keep(job_, triangle_.key, tile_.left + x, tile_.top + y, kept, worker);
@@ -225,14 +227,15 @@ class LargeDrawing {
         }
       }
       const Number depth = depth_of(g);
-      const Ints old_key = load(key_there + g * lanes);
-      Truth nearer = nearer_in(g, depth, old_depth, old_key);
+      Truth nearer = nearer_in(g, depth, old_depth);
       if (kept != ~BlockMask{0}) {
         nearer = nearer && truth_of(static_cast<std::uint32_t>(kept >> (g * lanes)));
       }
       const Number new_depth = select(nearer, depth, old_depth);
       store(new_depth, depth_there + g * lanes);
-      store(select(nearer, key, old_key), key_there + g * lanes);
+      if (key_there != nullptr) {
+        store(select(nearer, key, load(key_there + g * lanes)), key_there + g * lanes);
+      }
       far = minimum(far, new_depth);
     }
     tile_.block_far[block] = smallest(far);

@@ -105,8 +105,12 @@ class MediumTriangle {
       const Number depth =
           d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_);
       float* depth_there = tile_.depth + block * 64 + g * lanes;
-      std::uint32_t* key_there = tile_.key + block * 64 + g * lanes;
       const Number old_depth = load(depth_there);
+      if (!tile_.has_keys()) {
+        store(select(covered, maximum(depth, old_depth), old_depth), depth_there);
+        continue;
+      }
+      std::uint32_t* key_there = tile_.key + block * 64 + g * lanes;
       const Ints old_key = load(key_there);
       const Truth nearer = covered && (depth > old_depth || (depth == old_depth && key_ < old_key));
       store(select(nearer, depth, old_depth), depth_there);

@@ -142,7 +142,7 @@ class Drawing {
     const std::uint32_t enough = every_tile ? 1 : enough_for_a_tile;
     threads_.for_each(job_.frame.tile_count(), [&](int index, Worker& worker) {
       const bool passing = last && is_passing(index);
-      const Tile tile = passing ? job_.frame.tile_in(worker.passing_tile, index) : job_.frame.tile(index);
+      const Tile tile = tile_to_draw(index, passing, worker);
       if (worth_drawing(index) >= enough) draw_tile(tile, worker);
       if (!last) return;
       finish_tile(tile, worker);
@@ -169,6 +169,13 @@ class Drawing {
   /// Whether a tile that is drawn now, at last, can do without the framebuffer's memory.
   bool is_passing(int tile) const {
     return job_.keep != Keep::everything && job_.skip.unwanted_depth && !was_drawn(tile);
+  }
+
+  /// A tile with no more than what is wanted of it.
+  Tile tile_to_draw(int index, bool passing, Worker& worker) const {
+    Tile tile = passing ? job_.frame.tile_in(worker.passing_tile, index) : job_.frame.tile(index);
+    if (job_.wants_depth_only()) tile.key = nullptr;
+    return tile;
   }
 
   void draw_tile(const Tile& tile, Worker& worker) {
