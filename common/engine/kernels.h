@@ -63,6 +63,8 @@ struct EngineKernels {
   /// Draws the depth and keys of what all workers put into one tile's bins.
   void (*draw_tile)(const DrawJob& job, const Tile& tile, std::span<Worker> workers,
                     Worker& worker);
+  /// Copies a tile's depths to where nothing needs them soon.
+  void (*write_depth)(const Tile& tile, float* depth);
 };
 
 }  // namespace rasterlab

@@ -4,6 +4,6 @@
 namespace rasterlab::RASTERLAB_SIMD {
 
 extern const EngineKernels kernels;
-const EngineKernels kernels = {&find_visible, &bin_clusters, &draw_tile};
+const EngineKernels kernels = {&find_visible, &bin_clusters, &draw_tile, &write_depth};
 
 }  // namespace rasterlab::RASTERLAB_SIMD

@@ -201,7 +201,7 @@ class Drawing {
   void leave(const Tile& tile, Worker& worker) {
     ++worker.statistics.tiles_not_kept;
     if (job_.keep != Keep::depth) return;
-    std::copy_n(tile.depth, tile.pixel_count(), job_.frame.tile(tile.index).depth);
+    kernels_.write_depth(tile, job_.frame.tile(tile.index).depth);
   }
 
   const DrawJob& job_;

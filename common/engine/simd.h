@@ -16,6 +16,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 namespace rasterlab::RASTERLAB_SIMD {
@@ -241,6 +242,14 @@ inline Number load(const float* from) {
 }
 inline void store(Number a, float* to) {
   hn::StoreU(a.v, FloatTag(), to);
+}
+/// To aligned memory that nobody reads soon: past the caches, and without fetching it first. Others
+/// see it after finish_streaming().
+inline void stream(Number a, float* to) {
+  hn::Stream(a.v, FloatTag(), to);
+}
+inline void finish_streaming() {
+  hwy::FlushStream();
 }
 inline Number select(Truth condition, Number if_true, Number if_false) {
   return Number(hn::IfThenElse(condition.mask, if_true.v, if_false.v));

@@ -107,4 +107,9 @@ void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, 
       *std::min_element(tile.block_far, tile.block_far + tile.block_count());
 }
 
+void write_depth(const Tile& tile, float* depth) {
+  for (int i = 0; i < tile.pixel_count(); i += lanes) stream(load(tile.depth + i), depth + i);
+  finish_streaming();
+}
+
 }  // namespace rasterlab::RASTERLAB_SIMD
