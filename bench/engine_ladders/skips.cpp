@@ -22,7 +22,8 @@ constexpr Switch switches[] = {{"outside", &Skips::outside},
                                {"facing away", &Skips::facing_away},
                                {"hidden clusters", &Skips::hidden_clusters},
                                {"hidden triangles", &Skips::hidden_triangles},
-                               {"front to back", &Skips::front_to_back}};
+                               {"front to back", &Skips::front_to_back},
+                               {"unwanted depth", &Skips::unwanted_depth}};
 
 Skips nothing() {
   Skips skips;
@@ -41,12 +42,13 @@ class SkippingDrawing {
         renderer_({.threads = 1, .skip = skips}),
         frame_(width, height) {}
 
-  const Framebuffer& draw() {
+  const Framebuffer& draw(Keep keep) {
     frame_.clear();
     renderer_.draw({.mesh = mesh_.get(),
                     .matrix = scene_->matrix,
                     .cull = Cull::back,
-                    .shading = shading(shader_)},
+                    .shading = shading(shader_),
+                    .keep = keep},
                    frame_);
     return frame_;
   }
@@ -64,8 +66,12 @@ struct Picture {
   Image<std::int32_t> ids;
   Image<float> depth;
 
-  explicit Picture(const Framebuffer& frame)
-      : color(frame.color()), ids(frame.ids()), depth(frame.depth()) {}
+  /// The colours of what is measured, the rest of what is drawn once more with it kept.
+  explicit Picture(SkippingDrawing& drawing) : color(drawing.draw(Keep::color).color()) {
+    const Framebuffer& all = drawing.draw(Keep::everything);
+    ids = all.ids();
+    depth = all.depth();
+  }
 };
 
 /// Pixels of a million that are not the same, in colour, triangle or depth.
@@ -103,13 +109,14 @@ TimedLadder skip_ladder(const SceneEntry& entry) {
                      .units = width * height,
                      .error = "different pixels per million",
                      .rungs = {}};
-  const Picture truth(SkippingDrawing(scene, mesh, nothing()).draw());
+  SkippingDrawing plain(scene, mesh, nothing());
+  const Picture truth(plain);
   const auto add = [&](const std::string& rung, const Skips& skips) {
     const auto drawing = std::make_shared<SkippingDrawing>(scene, mesh, skips);
     ladder.rungs.push_back({.name = rung,
                             .fault = "none",
-                            .work = [drawing] { drawing->draw(); },
-                            .errors = difference(Picture(drawing->draw()), truth)});
+                            .work = [drawing] { drawing->draw(Keep::color); },
+                            .errors = difference(Picture(*drawing), truth)});
   };
   add("nothing skipped", nothing());
   for (const Switch& one : switches) {

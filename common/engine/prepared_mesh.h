@@ -55,6 +55,7 @@ class PreparedMesh {
   /// InputError when a triangle refers to a vertex there isn't. Positions that are not finite are
   /// accepted; triangles that use them are not drawn. Cost: a sort of the triangles, on all cores.
   explicit PreparedMesh(const Mesh& mesh);
+  explicit PreparedMesh(Mesh&& mesh) = delete;
 
   const Mesh& mesh() const { return *mesh_; }
   const Clusters& clusters() const { return clusters_; }

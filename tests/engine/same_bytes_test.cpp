@@ -32,14 +32,24 @@ Eigen::Matrix4f perspective_from(float distance) {
 }
 
 template <class Shader>
-Pictures draw(const Mesh& mesh, const EngineOptions& options, int tile_size, float distance) {
-  const PreparedMesh prepared(mesh);
+Framebuffer draw(const PreparedMesh& mesh, const EngineOptions& options, int tile_size,
+                 float distance, Keep keep) {
   Framebuffer frame(333, 251, tile_size);
   frame.clear({10, 20, 30});
   Renderer renderer(options);
   const Shader shader;
-  renderer.draw(
-      {.mesh = &prepared, .matrix = perspective_from(distance), .shading = shading(shader)}, frame);
+  renderer.draw({.mesh = &mesh,
+                 .matrix = perspective_from(distance),
+                 .shading = shading(shader),
+                 .keep = keep},
+                frame);
+  return frame;
+}
+
+template <class Shader>
+Pictures draw(const Mesh& mesh, const EngineOptions& options, int tile_size, float distance) {
+  const Framebuffer frame =
+      draw<Shader>(PreparedMesh(mesh), options, tile_size, distance, Keep::everything);
   return {frame.color(), frame.ids(), frame.depth()};
 }
 
@@ -72,11 +82,29 @@ class engine_same_bytes : public testing::TestWithParam<float> {
       }
     }
     EXPECT_EQ(draw<Shader>(mesh, {.threads = 1}, 64, distance), expected);
-    const Skips nothing = {false, false, false, false, false};
+    const Skips nothing = {false, false, false, false, false, false};
     EXPECT_EQ(draw<Shader>(mesh, {.skip = nothing}, 64, distance), expected);
     for (const int by : {1, 2}) {
       EXPECT_EQ(draw<Shader>(rotated_corners(mesh, by), {}, 64, distance), expected)
           << "corners rotated by " << by;
+    }
+    check_kept<Shader>(PreparedMesh(mesh), expected);
+  }
+
+  /// What a draw call keeps is the same, whatever else it keeps, and the rest can't be had.
+  template <class Shader>
+  void check_kept(const PreparedMesh& mesh, const Pictures& expected) {
+    for (const bool skip : {true, false}) {
+      const EngineOptions options = {.threads = 3, .skip = {.unwanted_depth = skip}};
+      Framebuffer depth = draw<Shader>(mesh, options, 32, GetParam(), Keep::depth);
+      EXPECT_EQ(depth.color(), expected.color);
+      EXPECT_EQ(depth.depth(), expected.depth);
+      EXPECT_THROW(depth.ids(), CheckError);
+      EXPECT_THROW(Renderer(options).draw({.mesh = &mesh}, depth), CheckError);
+      const Framebuffer color = draw<Shader>(mesh, options, 64, GetParam(), Keep::color);
+      EXPECT_EQ(color.color(), expected.color);
+      EXPECT_THROW(color.depth(), CheckError);
+      EXPECT_THROW(color.distance(Eigen::Matrix4f::Identity()), CheckError);
     }
   }
 };
@@ -89,6 +117,50 @@ TEST_P(engine_same_bytes, discarding) {
 }
 TEST_P(engine_same_bytes, plain_scalar_shader) {
   check_all<PlainShader>();
+}
+
+/// Triangles are drawn without their numbers then.
+TEST_P(engine_same_bytes, depth_alone) {
+  for (const char* shape : {"torus_knot:24", "uv_sphere:100", "wall:1"}) {
+    SCOPED_TRACE(shape);
+    const Mesh plain = make_shape(shape);
+    const PreparedMesh mesh(plain);
+    const auto depth_kept = [&](Keep keep, SimdTarget simd) {
+      Framebuffer frame(333, 251);
+      Renderer renderer({.simd = simd});
+      const Eigen::Matrix4f matrix = perspective_from(GetParam());
+      renderer.draw({.mesh = &mesh, .matrix = matrix, .keep = keep}, frame);
+      return frame.depth();
+    };
+    const Image<float> expected = depth_kept(Keep::everything, SimdTarget::scalar);
+    for (const SimdTarget simd : supported_simd_targets()) {
+      EXPECT_EQ(depth_kept(Keep::depth, simd), expected) << name_of(simd);
+    }
+  }
+}
+
+/// What was drawn before stays, and no tile is lost between two ways of keeping.
+TEST_P(engine_same_bytes, last_draw_call_keeps_less) {
+  const Mesh plain_knot = make_shape("torus_knot:24");
+  const Mesh plain_sphere = make_shape("uv_sphere:100");
+  const PreparedMesh knot(plain_knot);
+  const PreparedMesh sphere(plain_sphere);
+  const Eigen::Matrix4f matrix = perspective_from(GetParam());
+  const BusyShader shader;
+  const auto both = [&](Keep keep) {
+    Framebuffer frame(333, 251);
+    frame.clear({10, 20, 30});
+    Renderer renderer;
+    renderer.draw({.mesh = &knot, .matrix = matrix, .shading = shading(shader)}, frame);
+    renderer.draw({.mesh = &sphere, .matrix = matrix, .shading = shading(shader), .keep = keep},
+                  frame);
+    frame.clear({10, 20, 30});
+    renderer.draw({.mesh = &sphere, .matrix = matrix, .shading = shading(shader)}, frame);
+    renderer.draw({.mesh = &knot, .matrix = matrix, .shading = shading(shader), .keep = keep},
+                  frame);
+    return frame.color();
+  };
+  EXPECT_EQ(both(Keep::color), both(Keep::everything));
 }
 
 INSTANTIATE_TEST_SUITE_P(, engine_same_bytes, testing::Values(3.0F, 1.2F, 0.5F));
