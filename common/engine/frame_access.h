@@ -23,6 +23,8 @@ struct Tile {
 
   bool has_keys() const { return key != nullptr; }
   int blocks_per_row() const { return size / 8; }
+  /// Which block the pixel (x, y) of the tile is in.
+  int block_at(int x, int y) const { return y / 8 * blocks_per_row() + x / 8; }
   int block_count() const { return size * size / 64; }
   int pixel_count() const { return size * size; }
 };

@@ -46,6 +46,8 @@ class MediumTriangle {
  public:
   MediumTriangle(const Tile& tile, const MediumLanes& t, std::size_t lane, std::uint32_t key)
       : tile_(tile),
+        left_(t.left[lane]),
+        right_(t.right[lane]),
         top_(t.top[lane]),
         bottom_(t.bottom[lane]),
         key_(static_cast<std::int32_t>(key)),
@@ -64,16 +66,18 @@ class MediumTriangle {
     lessened2_ = Ints(t.lessened[2][lane]);
   }
 
-  /// Returns which of the blocks it was drawn into.
+  /// Returns which of the blocks, all within its bounds, it was drawn into.
   BlockMask draw(BlockMask blocks) const {
     BlockMask drawn = 0;
-    for (; blocks != 0; blocks &= blocks - 1) {
-      const int block = std::countr_zero(blocks);
-      const int x = block % tile_.blocks_per_row() * 8;
-      const int y = block / tile_.blocks_per_row() * 8;
-      std::int32_t best = 0;  // negative: all the block is outside an edge
-      for (const Edge& e : edge_) best |= e.at(x, y) + e.to_best;
-      if (best >= 0 && draw_block(block, x, y)) drawn |= BlockMask{1} << block;
+    for (int y = top_ & ~7; y <= bottom_; y += 8) {
+      std::array<std::int32_t, 3> value = values_at(left_ & ~7, y);
+      for (int x = left_ & ~7; x <= right_; x += 8) {
+        const int block = tile_.block_at(x, y);
+        if ((blocks >> block & 1U) != 0 && reaches(value) && draw_block(block, y, value)) {
+          drawn |= BlockMask{1} << block;
+        }
+        for (std::size_t i = 0; i < 3; ++i) value[i] += 8 * edge_[i].step_x;
+      }
     }
     return drawn;
   }
@@ -83,44 +87,58 @@ class MediumTriangle {
     std::int32_t value, step_x, step_y;
     std::int32_t to_best;  ///< from a block's first pixel to where in it the function is largest
     Ints offset;           ///< to the pixels of a block's first vector
-
-    std::int32_t at(int x, int y) const { return value + x * step_x + y * step_y; }
   };
 
+  std::array<std::int32_t, 3> values_at(int x, int y) const {
+    std::array<std::int32_t, 3> value;
+    for (std::size_t i = 0; i < 3; ++i) {
+      value[i] = edge_[i].value + x * edge_[i].step_x + y * edge_[i].step_y;
+    }
+    return value;
+  }
+
+  /// Whether no edge has all of a block outside, whose first pixel has these values.
+  bool reaches(const std::array<std::int32_t, 3>& value) const {
+    return ((value[0] + edge_[0].to_best) | (value[1] + edge_[1].to_best) |
+            (value[2] + edge_[2].to_best)) >= 0;
+  }
+
   /// False when it covers none of the block's pixels.
-  bool draw_block(int block, int x, int y) const {
+  bool draw_block(int block, int y, const std::array<std::int32_t, 3>& value) const {
     const int first = std::max(top_ - y, 0) * 8 / lanes;
     const int last = (std::min(bottom_ - y, 7) * 8 + 7) / lanes;
     bool drawn = false;
     for (int g = first; g <= last; ++g) {
-      const int group_x = x + g * lanes % 8;
-      const int group_y = y + g * lanes / 8;
       std::array<Ints, 3> e;
       for (std::size_t i = 0; i < 3; ++i) {
-        e[i] = Ints(edge_[i].at(group_x, group_y)) + edge_[i].offset;
+        const std::int32_t change =
+            g * lanes % 8 * edge_[i].step_x + g * lanes / 8 * edge_[i].step_y;
+        e[i] = Ints(value[i] + change) + edge_[i].offset;
       }
       const Truth covered = (e[0] | e[1] | e[2]) >= Ints(0);
       if (!any(covered)) continue;
       drawn = true;
-      const Number depth =
-          d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_);
-      float* depth_there = tile_.depth + block * 64 + g * lanes;
-      const Number old_depth = load(depth_there);
-      if (!tile_.has_keys()) {
-        store(select(covered, maximum(depth, old_depth), old_depth), depth_there);
-        continue;
-      }
-      std::uint32_t* key_there = tile_.key + block * 64 + g * lanes;
-      const Ints old_key = load(key_there);
-      const Truth nearer = covered && (depth > old_depth || (depth == old_depth && key_ < old_key));
-      store(select(nearer, depth, old_depth), depth_there);
-      store(select(nearer, key_, old_key), key_there);
+      write(block * 64 + g * lanes, covered,
+            d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_));
     }
     return drawn;
   }
 
+  /// Where it is nearer, `place` being a vector's in the tile's arrays.
+  void write(int place, Truth covered, Number depth) const {
+    const Number old_depth = load(tile_.depth + place);
+    if (!tile_.has_keys()) {
+      store(select(covered, maximum(depth, old_depth), old_depth), tile_.depth + place);
+      return;
+    }
+    const Ints old_key = load(tile_.key + place);
+    const Truth nearer = covered && (depth > old_depth || (depth == old_depth && key_ < old_key));
+    store(select(nearer, depth, old_depth), tile_.depth + place);
+    store(select(nearer, key_, old_key), tile_.key + place);
+  }
+
   const Tile& tile_;
-  int top_, bottom_;
+  int left_, right_, top_, bottom_;
   Ints key_;
   Number d0_, k1_, k2_;
   std::array<Edge, 3> edge_;
