@@ -37,12 +37,7 @@ class HitList {
   void write() {
     for (int i = 0; i < count_; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      const auto depth = std::bit_cast<float>(depth_[at]);
-      if (tile_.has_keys()) {
-        write_one(place_[at], depth, static_cast<std::uint32_t>(key_[at]));
-      } else {
-        write_depth(place_[at], depth);
-      }
+      write_one(place_[at], std::bit_cast<float>(depth_[at]), static_cast<std::uint32_t>(key_[at]));
     }
     count_ = 0;
   }
@@ -50,8 +45,12 @@ class HitList {
   /// Without a branch on which of two is nearer; equal depths are rare.
   void write_one(std::int32_t place, float depth, std::uint32_t key) {
     float& depth_there = tile_.depth[place];
-    std::uint32_t& key_there = tile_.key[place];
     written_ |= BlockMask{1} << (place >> 6);
+    if (!tile_.has_keys()) {
+      depth_there = std::max(depth, depth_there);
+      return;
+    }
+    std::uint32_t& key_there = tile_.key[place];
     const std::uint32_t nearer = 0U - static_cast<std::uint32_t>(depth > depth_there);
     if (depth == depth_there) {
       key_there = std::min(key_there, key);
@@ -59,13 +58,6 @@ class HitList {
     }
     key_there ^= (key ^ key_there) & nearer;
     depth_there = depth > depth_there ? depth : depth_there;
-  }
-
-  /// Where nobody asks for triangle numbers.
-  void write_depth(std::int32_t place, float depth) {
-    float& depth_there = tile_.depth[place];
-    written_ |= BlockMask{1} << (place >> 6);
-    depth_there = std::max(depth, depth_there);
   }
 
   /// Blocks written to since the last call.

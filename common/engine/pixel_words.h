@@ -33,7 +33,7 @@ inline std::uint32_t key_of_word(std::int64_t word) {
 }
 
 inline void read_pixels(const Tile& tile, PixelWords& words) {
-  for (int i = 0; i < tile.size * tile.size; i += lanes) {
+  for (int i = 0; i < tile.pixel_count(); i += lanes) {
     store_pixel_words(load(tile.depth + i), load(tile.key + i), words.data() + i);
   }
 }

@@ -55,14 +55,13 @@ void draw_large(const DrawJob& job, const Tile& tile, std::vector<NearTriangle>&
 /// From how many slivers on it is worth having a tile's pixels in words.
 constexpr std::size_t enough_for_words = 64;
 
-void draw_slivers(const Tile& tile, int index, std::span<Worker> workers, Worker& worker,
-                  HitList& hits) {
+void draw_slivers(const Tile& tile, std::span<Worker> workers, Worker& worker, HitList& hits) {
   worker.thin_in_tile.clear();
   const auto thins = [](const TileBin& bin) { return bin.thin; };
-  for_each_chunk(workers, index, thins,
+  for_each_chunk(workers, tile.index, thins,
                  [&](const ThinList& chunk) { find_in_tile(chunk, tile, worker.thin_in_tile); });
   sort_thin(worker.thin_in_tile, worker.thin_sorted);
-  if (worker.thin_sorted.size() < enough_for_words) {
+  if (!tile.has_keys() || worker.thin_sorted.size() < enough_for_words) {
     draw_thin(tile, worker.thin_sorted, [&](std::int32_t place, std::int64_t word) {
       hits.write_one(place, depth_of_word(word), key_of_word(word));
     });
@@ -97,7 +96,7 @@ void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, 
     draw_medium(tile, chunk, skip_hidden, worker.statistics);
   });
   HitList hits(tile);
-  draw_slivers(tile, index, workers, worker, hits);
+  draw_slivers(tile, workers, worker, hits);
   const auto smalls = [](const TileBin& bin) { return bin.small; };
   for_each_chunk(workers, index, smalls, [&](const PackedTriangles& chunk) {
     draw_small(tile, chunk, skip_hidden, hits);
