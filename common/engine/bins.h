@@ -163,7 +163,7 @@ struct ShadedTriangle {
   std::array<double, 3>
       edges;            ///< edge functions 1 and 2 at the tile's first pixel, twice the area
   bool is_large;        ///< 32 bits aren't enough for them
-  bool front;           ///< its front is seen
+  bool front;           ///< its front is seen; unknown of a constant one
   bool is_constant;     ///< all corners have the same varyings, so all its pixels …
   bool is_discarded;    ///< … are discarded or have …
   std::uint32_t color;  ///< … this colour, packed
@@ -178,6 +178,7 @@ struct ShadingScratch {
   std::vector<std::uint32_t> table;      ///< hash table from key to slot
   std::vector<float> record;             ///< per slot
   std::vector<ShadedTriangle> triangle;  ///< per slot
+  bool likely_constant = false;          ///< the last triangles set up were
   float fetched;                         ///< of no use but that what it was made of had to be read
 };
 

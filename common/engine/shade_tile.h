@@ -316,9 +316,9 @@ class TileShading {
     if (!triangle.is_discarded) colors.kept |= mask;
   }
 
-  /// Triangles that are the same all over get their colour here, two vectors of them at a time.
+  /// Triangles that are the same all over get their colour here, a vector of them at a time.
   void shade_constant_triangles() {
-    std::array<std::int32_t, 2 * lanes> slot = {};
+    std::array<std::int32_t, lanes> slot = {};
     std::size_t count = 0;
     for (std::int32_t i = 0; i < triangles_.slot_count(); ++i) {
       if (!triangles_.triangle(i).is_constant) continue;
@@ -330,29 +330,30 @@ class TileShading {
     if (count > 0) shade_constant(std::span(slot).first(count));
   }
 
+  /// Each from its front and from its back: hardly a shader sees a difference, and where none does,
+  /// nobody has to know which is seen.
   void shade_constant(std::span<const std::int32_t> slot) {
-    std::array<Table, 2> table;
+    std::array<VisiblePart, lanes> part;
     RecordNumbers numbers;
-    for (std::size_t i = 0; i < 2 * lanes; ++i) {
-      numbers.number[i] = static_cast<std::int32_t>(i % lanes);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      part[i] = {0, slot[std::min(i, slot.size() - 1)]};
+      numbers.number[i] = numbers.number[i + lanes] = static_cast<std::int32_t>(i);
     }
-    std::array<SeenByVector, 2> seen;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      std::array<VisiblePart, lanes> part;
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const std::size_t at = i * lanes + lane;
-        part[lane] = {0, slot[std::min(at, slot.size() - 1)]};
-        if (triangles_.triangle(part[lane].slot).front) numbers.front |= BlockMask{1} << at;
-      }
-      table[i].fill(triangles_, part);
-      seen[i] = {&table[i], &numbers};
-    }
-    const std::uint32_t wanted = all_pair_lanes >> (2 * lanes - static_cast<int>(slot.size()));
-    const PairColors colors = shade_pair(nullptr, &seen, nullptr, 0, wanted);
+    numbers.front = all_lanes;
+    Table table;
+    table.fill(triangles_, part);
+    const std::array<SeenByVector, 2> both = {{{&table, &numbers}, {&table, &numbers}}};
+    const std::uint32_t wanted = all_lanes >> (lanes - static_cast<int>(slot.size()));
+    const PairColors colors = shade_pair(nullptr, &both, nullptr, 0, wanted | wanted << lanes);
+    const auto is_discarded = [&](std::size_t i) { return (colors.discarded >> i & 1U) != 0; };
     for (std::size_t i = 0; i < slot.size(); ++i) {
+      const std::size_t behind = i + lanes;
+      const bool alike =
+          colors.packed[i] == colors.packed[behind] && is_discarded(i) == is_discarded(behind);
+      const std::size_t seen = alike || triangles_.shows_front(slot[i]) ? i : behind;
       ShadedTriangle& triangle = triangles_.triangle(slot[i]);
-      triangle.color = colors.packed[i];
-      triangle.is_discarded = (colors.discarded >> i & 1U) != 0;
+      triangle.color = colors.packed[seen];
+      triangle.is_discarded = is_discarded(seen);
     }
   }
 

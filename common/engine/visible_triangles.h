@@ -124,6 +124,9 @@ class VisibleTriangles {
     return std::span(scratch_.part).subspan(first, scratch_.parts_end[b] - first);
   }
 
+  /// Which side of a triangle is seen. Asked for one that is the same all over: others have it.
+  bool shows_front(std::int32_t slot) const;
+
   /// Of a triangle's pixels in a block, beside those that have theirs already.
   void weigh(const VisiblePart& part, int block, BlockMask already, WeightsInBlock& weights) const;
   /// Of `parts`, each pixel from `first` to before `end` has the number of the one it sees.
@@ -167,6 +170,8 @@ class VisibleTriangles {
   void set_up_some(std::size_t first_slot, std::size_t count);
   CornerLanes corner_order(Ints triangle) const;
   std::array<Number, 3> position(Ints vertex) const;
+  TriangleLanes in_window(const CornerLanes& corners) const;
+  ClippedPolygon clipped(const CornerLanes& corners) const;
   void write_geometry(const TriangleLanes& triangles, std::size_t first_slot, std::size_t count);
   void write_words(const std::array<Ints, word::count>& words, std::size_t first_slot,
                    std::size_t count);

@@ -114,6 +114,14 @@ struct VisibleTriangles::TriangleLanes {
   std::array<Ints, 3> x;
   std::array<Ints, 3> y;
   std::array<Number, 3> w;
+  Truth direct;  ///< not clipped: these are right
+
+  /// Twice the area, with y down.
+  Doubles exact_area() const {
+    return exact_product(x[1] - x[0], y[2] - y[0]) - exact_product(y[1] - y[0], x[2] - x[0]);
+  }
+
+  static Doubles exact_product(Ints a, Ints b) { return to_doubles(a) * to_doubles(b); }
 };
 
 void VisibleTriangles::reserve_slots(std::size_t count) {
@@ -128,9 +136,7 @@ void VisibleTriangles::set_up() {
   scratch_.clipped.clear();
   reserve_slots(count);
   for (std::size_t first = 0; first < count; first += lanes) {
-    const std::size_t some = std::min<std::size_t>(lanes, count - first);
-    fetch_vertices(first, some);
-    set_up_some(first, some);
+    set_up_some(first, std::min<std::size_t>(lanes, count - first));
   }
   statistics_.triangles_shaded += count;
 }
@@ -170,39 +176,71 @@ std::array<Number, 3> VisibleTriangles::position(Ints vertex) const {
   return {gather_numbers(flat, at), gather_numbers(flat + 1, at), gather_numbers(flat + 2, at)};
 }
 
+VisibleTriangles::TriangleLanes VisibleTriangles::in_window(const CornerLanes& corners) const {
+  TriangleLanes triangles;
+  triangles.direct = Ints(0) == Ints(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array<Number, 3> p = position(corners.vertex[i]);
+    const ClipPoints clip = to_clip(job_.transform, p[0], p[1], p[2]);
+    const WindowPoints window = to_window(job_.transform, clip);
+    triangles.direct = triangles.direct && window.direct;
+    triangles.x[i] = window.x;
+    triangles.y[i] = window.y;
+    triangles.w[i] = clip.w;
+  }
+  return triangles;
+}
+
+/// Varyings first: triangles that are the same all over lie anywhere. Where there is one such, the
+/// next ones are likely like it, and their positions needn't be fetched.
 void VisibleTriangles::set_up_some(std::size_t first_slot, std::size_t count) {
+  if (!scratch_.likely_constant) fetch_vertices(first_slot, count);
   std::array<std::uint32_t, lanes> key;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     key[lane] = scratch_.key[first_slot + std::min(lane, count - 1)];
   }
   const CornerLanes corners =
       corner_order(load(key.data()) - Ints(static_cast<std::int32_t>(job_.first_key)));
-  TriangleLanes triangles;
-  Truth direct = Ints(0) == Ints(0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::array<Number, 3> p = position(corners.vertex[i]);
-    const ClipPoints clip = to_clip(job_.transform, p[0], p[1], p[2]);
-    const WindowPoints window = to_window(job_.transform, clip);
-    direct = direct && window.direct;
-    triangles.x[i] = window.x;
-    triangles.y[i] = window.y;
-    triangles.w[i] = clip.w;
-  }
-  write_geometry(triangles, first_slot, count);
   std::array<std::int32_t, lanes> first;
   store(corners.first, first.data());
-  const std::uint32_t usable = bits(direct);
   for (std::size_t lane = 0; lane < count; ++lane) {
-    const std::size_t slot = first_slot + lane;
-    if ((usable >> lane & 1U) == 0) {
-      scratch_.triangle[slot].is_constant = false;
-      scratch_.clipped.push_back(static_cast<std::uint32_t>(slot));
-      continue;
-    }
     varyings_.write(job_.shader, mesh_, triangle_of(key[lane]), first[lane],
-                    record(slot) + word::count);
-    write_differences(slot);
+                    record(first_slot + lane) + word::count);
   }
+  std::uint32_t varying = 0;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    write_differences(first_slot + lane);
+    if (!scratch_.triangle[first_slot + lane].is_constant) varying |= 1U << lane;
+  }
+  scratch_.likely_constant = varying == 0;
+  if (varying == 0) return;
+  const TriangleLanes triangles = in_window(corners);
+  write_geometry(triangles, first_slot, count);
+  for (varying &= ~bits(triangles.direct); varying != 0; varying &= varying - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(varying));
+    scratch_.clipped.push_back(static_cast<std::uint32_t>(first_slot + lane));
+  }
+}
+
+/// Of the first lane's triangle, from its corner 0 on.
+ClippedPolygon VisibleTriangles::clipped(const CornerLanes& corners) const {
+  TrianglePositions positions;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3f& p =
+        mesh_.positions[static_cast<std::size_t>(hn::GetLane(corners.vertex[i].v))];
+    positions[i] = {p.x(), p.y(), p.z()};
+  }
+  return clip_triangle(job_.transform, positions);
+}
+
+bool VisibleTriangles::shows_front(std::int32_t slot) const {
+  const std::uint32_t triangle = triangle_of(scratch_.key[static_cast<std::size_t>(slot)]);
+  const CornerLanes corners = corner_order(Ints(static_cast<std::int32_t>(triangle)));
+  const TriangleLanes lanes_of_one = in_window(corners);
+  const bool positive = all(lanes_of_one.direct)
+                            ? all(to_number(lanes_of_one.exact_area()) > Number(0))
+                            : parts_of(job_.transform, clipped(corners)).side > 0;
+  return positive == job_.mirrored;
 }
 
 /// Of corners 1 and 2, the differences from corner 0 in place of the values.
@@ -241,9 +279,8 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
   const Ints py(tile_.top * 256 + 128);
   const auto& x = t.x;
   const auto& y = t.y;
-  const auto exact_product = [](Ints a, Ints b) { return to_doubles(a) * to_doubles(b); };
-  const Doubles exact_area =
-      exact_product(x[1] - x[0], y[2] - y[0]) - exact_product(y[1] - y[0], x[2] - x[0]);
+  const auto exact_product = &TriangleLanes::exact_product;
+  const Doubles exact_area = t.exact_area();
   const Number area = to_number(exact_area);
   const Ints side = select(area > Number(0), Ints(1), Ints(-1));
   const Truth is_large = magnitude(area) >= Number(2147483648.0F);
@@ -298,13 +335,7 @@ void VisibleTriangles::resolve_clipped_pixels() {
   for (const std::uint32_t whole : scratch_.clipped) {
     const std::uint32_t triangle = triangle_of(scratch_.key[whole]);
     const CornerLanes order = corner_order(Ints(static_cast<std::int32_t>(triangle)));
-    TrianglePositions positions;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Eigen::Vector3f& p =
-          mesh_.positions[static_cast<std::size_t>(hn::GetLane(order.vertex[i].v))];
-      positions[i] = {p.x(), p.y(), p.z()};
-    }
-    const ClippedPolygon polygon = clip_triangle(job_.transform, positions);
+    const ClippedPolygon polygon = clipped(order);
     varyings_.write(job_.shader, mesh_, triangle, hn::GetLane(order.first.v), corners.data());
     const ClippedParts clipped = parts_of(job_.transform, polygon);
     for (const ClippedPart& part : clipped.all()) {
