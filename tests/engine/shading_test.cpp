@@ -142,5 +142,38 @@ TEST(engine_shading, colors_a_triangle_without_varyings_as_its_corners_say) {
   }
 }
 
+/// Also of clipped ones: the eye is amid the knot's tubes.
+TEST(engine_shading, tells_a_triangle_without_varyings_which_side_is_seen) {
+  const Mesh mesh = make_shape("torus_knot", 24);
+  const PreparedMesh prepared(mesh);
+  for (const bool mirrored : {false, true}) {
+    Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+    matrix(0, 0) = mirrored ? -1 : 1;
+    matrix.row(3) << 0, 0, -1, 0.3F;
+    matrix.row(2) << 0, 0, -1, 0.2F;
+    const auto picture = [&](bool corners_differ, SimdTarget simd) {
+      const TwoSidedShader shader = {corners_differ};
+      Framebuffer frame(width, height);
+      const Statistics statistics = Renderer({.simd = simd})
+                                        .draw({.mesh = &prepared,
+                                               .matrix = matrix,
+                                               .mirrored = mirrored,
+                                               .shading = shading(shader)},
+                                              frame);
+      EXPECT_GT(statistics.triangles_clipped, 20U);
+      return frame.color();
+    };
+    const Image<Rgb8> expected = picture(true, SimdTarget::scalar);
+    const auto& pixels = expected.pixels();
+    const auto fronts = [](const Rgb8& p) { return p.r > 0 && p.r < 128; };
+    EXPECT_GT(std::count_if(pixels.begin(), pixels.end(), fronts), 500);
+    EXPECT_GT(std::count_if(pixels.begin(), pixels.end(), [](const Rgb8& p) { return p.r > 128; }),
+              500);
+    for (const SimdTarget simd : supported_simd_targets()) {
+      EXPECT_EQ(picture(false, simd), expected) << name_of(simd);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rasterlab

@@ -97,4 +97,26 @@ struct NumberedShader {
   }
 };
 
+/// Fronts and backs have a grey each; the backs of every seventh triangle aren't drawn. The same
+/// for corners that differ and for corners that don't.
+struct TwoSidedShader {
+  bool corners_differ;
+
+  template <class Number>
+  struct Varyings {
+    Number code;
+    Number corner;
+  };
+
+  Varyings<float> vertex(const Mesh&, std::uint32_t triangle, int corner) const {
+    return {static_cast<float>(triangle % 128), corners_differ ? static_cast<float>(corner) : 0.0F};
+  }
+
+  Fragment<float> fragment(const SurfacePoint<Varyings, float>& point) const {
+    const float grey = (point.value.code + (point.front_facing ? 0.0F : 128.0F)) / 255;
+    const bool seventh = static_cast<int>(point.value.code) % 7 == 0;
+    return {{grey, grey, grey}, seventh && !point.front_facing};
+  }
+};
+
 }  // namespace rasterlab
