@@ -21,17 +21,12 @@ std::int64_t fill_plainly(Image<Rgb8>& image, const Corners& corners, const Rgb8
   return pixels;
 }
 
-std::int64_t fill_with_avx512(Image<Rgb8>& image, const Corners& corners, const Rgb8& color) {
-  if (!within(corners, max_coordinate)) return fill_plainly(image, corners, color);
-  return fill_spans_avx512(image, corners, color);
-}
-
 }  // namespace
 
 const std::vector<SpanFill>& span_fills() {
   static const std::vector<SpanFill> fills = [] {
     std::vector<SpanFill> possible = {{"plain", &fill_plainly}};
-    if (has_avx512()) possible.push_back({"avx512", &fill_with_avx512});
+    if (has_avx512()) possible.push_back({"avx512", &fill_spans_avx512});
     return possible;
   }();
   return fills;

@@ -9,7 +9,8 @@
 
 namespace rasterlab {
 
-/// What fill_spans() does, for corners within ±32768 pixels. Only where has_avx512().
+/// What fill_spans() does; corners beyond ±32768 pixels are left to the plain way. Only where
+/// has_avx512().
 std::int64_t fill_spans_avx512(Image<Rgb8>& image, const Corners& corners, const Rgb8& color);
 
 }  // namespace rasterlab
