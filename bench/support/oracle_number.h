@@ -127,7 +127,7 @@ OracleIndex<Scalar> to_whole(OracleNumber<Scalar> a) {
   return {static_cast<std::int32_t>(a.value)};
 }
 template <class Scalar>
-Vector3<OracleNumber<Scalar>> gather_texel(const std::uint32_t* texels, OracleIndex<Scalar> index) {
+Vector3<OracleNumber<Scalar>> gather_texel(const TexelAndAbove* texels, OracleIndex<Scalar> index) {
   return broadcast<OracleNumber<Scalar>>(rasterlab::gather_texel(texels, index.value));
 }
 

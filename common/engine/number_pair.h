@@ -151,15 +151,13 @@ inline NumberPair gather(const std::array<float, 16>& table, NumberPair index) {
 inline Vector3<NumberPair> join(const Vector3<Number>& low, const Vector3<Number>& high) {
   return {{low.x(), high.x()}, {low.y(), high.y()}, {low.z(), high.z()}};
 }
-inline Vector3<NumberPair> gather_texel(const std::uint32_t* texels, IntPair index) {
+inline Vector3<NumberPair> gather_texel(const TexelAndAbove* texels, IntPair index) {
   return join(gather_texel(texels, index.low), gather_texel(texels, index.high));
 }
-inline std::array<Vector3<NumberPair>, 4> gather_texels(const std::uint32_t* texels,
-                                                        const std::array<IntPair, 4>& index) {
-  const std::array<Ints, 4> first = {index[0].low, index[1].low, index[2].low, index[3].low};
-  const std::array<Ints, 4> second = {index[0].high, index[1].high, index[2].high, index[3].high};
-  const auto low = gather_texels(texels, first);
-  const auto high = gather_texels(texels, second);
+inline std::array<Vector3<NumberPair>, 4> gather_square(const TexelAndAbove* texels,
+                                                        IntPair index) {
+  const auto low = gather_square(texels, index.low);
+  const auto high = gather_square(texels, index.high);
   return {join(low[0], high[0]), join(low[1], high[1]), join(low[2], high[2]),
           join(low[3], high[3])};
 }

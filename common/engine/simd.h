@@ -403,11 +403,7 @@ inline Vector3<Number> unpack_texel(Ints texel) {
   return {as_numbers(texel & Ints(255)), as_numbers(shift_right<8>(texel) & Ints(255)),
           as_numbers(shift_right<16>(texel))};
 }
-inline Vector3<Number> gather_texel(const std::uint32_t* texels, Ints index) {
-  return unpack_texel(gather_ints(texels, index));
-}
 
-#if HWY_TARGET != HWY_SCALAR
 /// Per lane a number for addresses, read from memory: left to itself, the compiler takes the lanes
 /// out of the register one by one, by three operations each that vectors wait for.
 struct Addresses {
@@ -419,44 +415,22 @@ struct Addresses {
   }
 };
 
-/// Of places 0, 4, 8, …, each the pair of texels at first[place] and that at second[place].
-template <int count>
-hn::Vec<hn::CappedTag<float, count>> load_squares(const std::uint32_t* texels,
-                                                  const std::int32_t* first,
-                                                  const std::int32_t* second) {
-  const hn::CappedTag<float, count> tag;
-  if constexpr (count == 4) {
-    const hn::CappedTag<std::uint32_t, 2> pair;
-    const hn::CappedTag<std::uint32_t, 4> square;
-    return hn::BitCast(tag, hn::Combine(square, hn::LoadU(pair, texels + *second),
-                                        hn::LoadU(pair, texels + *first)));
-  } else {
-    return hn::Combine(tag, load_squares<count / 2>(texels, first + count / 2, second + count / 2),
-                       load_squares<count / 2>(texels, first, second));
-  }
+inline Vector3<Number> gather_texel(const TexelAndAbove* texels, Ints index) {
+  const Addresses at(index);
+  alignas(64) std::array<std::uint32_t, lanes> texel;
+  for (std::size_t i = 0; i < lanes; ++i) texel[i] = texels[at.of_lane[i]].texel;
+  return unpack_texel(load(texel.data()));
 }
-#endif
 
-/// As the general one in number.h; quicker where indices 0 and 1 are neighbours, and 2 and 3: two
-/// loads a lane, each of two texels, take a third as long as four gathers.
-inline std::array<Vector3<Number>, 4> gather_texels(const std::uint32_t* texels,
-                                                    const std::array<Ints, 4>& index) {
-#if HWY_TARGET != HWY_SCALAR
-  if (all(index[1] - index[0] == Ints(1) && index[3] - index[2] == Ints(1))) {
-    const Addresses first(index[0]);
-    const Addresses second(index[2]);
-    std::array<Number, 4> fours;
-    for (std::size_t i = 0; i < 4; ++i) {
-      fours[i] =
-          Number(load_squares<lanes>(texels, first.of_lane.data() + i, second.of_lane.data() + i));
-    }
-    transpose_fours(fours.data());
-    return {unpack_texel(bit_pattern(fours[0])), unpack_texel(bit_pattern(fours[1])),
-            unpack_texel(bit_pattern(fours[2])), unpack_texel(bit_pattern(fours[3]))};
-  }
-#endif
-  return {gather_texel(texels, index[0]), gather_texel(texels, index[1]),
-          gather_texel(texels, index[2]), gather_texel(texels, index[3])};
+/// Per lane the texel, the next one, and the two above them: a load a lane and a transposition take
+/// a sixth as long as four gathers.
+inline std::array<Vector3<Number>, 4> gather_square(const TexelAndAbove* texels, Ints index) {
+  const Addresses at(index);
+  std::array<Number, 4> fours;
+  load_fours([&](std::size_t i) { return reinterpret_cast<const float*>(texels + at.of_lane[i]); },
+             fours.data());
+  return {unpack_texel(bit_pattern(fours[0])), unpack_texel(bit_pattern(fours[2])),
+          unpack_texel(bit_pattern(fours[1])), unpack_texel(bit_pattern(fours[3]))};
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -84,22 +84,20 @@ inline std::int32_t to_whole(float a) {
 template <class Number>
 using Whole = decltype(to_whole(Number()));
 
-/// Red, green and blue, as numbers 0…255, of the element `index` of an array of packed colours
-/// (pack_texel()).
-inline Vector3<float> gather_texel(const std::uint32_t* texels, std::int32_t index) {
-  const std::uint32_t texel = texels[index];
+/// A packed colour (pack_texel()) and the one above it in its picture.
+struct TexelAndAbove {
+  std::uint32_t texel;
+  std::uint32_t above;
+};
+
+/// Red, green and blue, as numbers 0…255, of texel `index` of an array.
+inline Vector3<float> gather_texel(const TexelAndAbove* texels, std::int32_t index) {
+  const std::uint32_t texel = texels[index].texel;
   return {static_cast<float>(texel & 255U), static_cast<float>(texel >> 8U & 255U),
           static_cast<float>(texel >> 16U & 255U)};
 }
 
-/// The same of four indices, each of which is one or one per lane.
-template <class Index>
-auto gather_texels(const std::uint32_t* texels, const std::array<Index, 4>& index) {
-  return std::array{gather_texel(texels, index[0]), gather_texel(texels, index[1]),
-                    gather_texel(texels, index[2]), gather_texel(texels, index[3])};
-}
-
-/// Red in the lowest byte, then green, then blue: what a SIMD gather of 32 bits can fetch at once.
+/// Red in the lowest byte, then green, then blue.
 inline std::uint32_t pack_texel(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
   return static_cast<std::uint32_t>(red) | static_cast<std::uint32_t>(green) << 8U |
          static_cast<std::uint32_t>(blue) << 16U;

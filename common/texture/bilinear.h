@@ -7,21 +7,18 @@
 
 namespace rasterlab {
 
-/// The two texels along one axis whose centres a point lies between, and how far it is from the
-/// first to the second.
+/// Where between the centres of which two texels along one axis a point lies.
 template <class Number>
 struct TexelPair {
-  Number first;
-  Number second;
-  Number part;
+  Number first;  ///< the other is the next one; each may be one beyond an edge
+  Number part;   ///< how far it is from the first to the next
 };
 
 template <class Number>
 TexelPair<Number> texel_pair(const Number& coordinate, const Number& size, Wrap wrap) {
   const Number from_center = wrap_coordinate(coordinate, wrap) * size - Number(0.5F);
   const Number first = round_down(from_center);
-  return {wrap_neighbor(first, size, wrap), wrap_neighbor(Number(first + Number(1)), size, wrap),
-          from_center - first};
+  return {first, from_center - first};
 }
 
 /// a + part · (b − a): where a and b are equal, exactly that.

@@ -13,7 +13,7 @@ Vector3<Number> bilinear_in_level(const Texture& texture, Wrap wrap, const Vecto
   const auto column = texel_pair(uv.x(), level.width, wrap);
   const auto row = texel_pair(uv.y(), level.height, wrap);
   const std::array<Vector3<Number>, 4> texels =
-      texture.texels(level, column.first, column.second, row.first, row.second);
+      texture.texels(level, column.first, row.first, wrap);
   const Vector3<Number> lower = blend(texels[0], texels[1], column.part);
   const Vector3<Number> upper = blend(texels[2], texels[3], column.part);
   return blend(lower, upper, row.part) / Number(255);

@@ -79,10 +79,13 @@ void Texture::append_level(const Image<Color>& codes) {
   blocks_[index] = static_cast<float>(block);
   texels_.resize(block * texels_per_block);
   texels_.reserve(texels_.size() + codes.pixels().size());
+  const auto texel = [](const Color& code) {
+    const auto rounded = (code.array() + 0.5F).cast<std::uint8_t>().eval();
+    return pack_texel(rounded[0], rounded[1], rounded[2]);
+  };
   for (int y = codes.height() - 1; y >= 0; --y) {
     for (int x = 0; x < codes.width(); ++x) {
-      const auto rounded = (codes.row(y)[x].array() + 0.5F).cast<std::uint8_t>().eval();
-      texels_.push_back(pack_texel(rounded[0], rounded[1], rounded[2]));
+      texels_.push_back({texel(codes.row(y)[x]), texel(codes.row(std::max(y - 1, 0))[x])});
     }
   }
 }

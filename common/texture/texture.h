@@ -4,6 +4,7 @@
 #include "common/image/image.h"
 #include "common/image/number.h"
 #include "common/image/pixel.h"
+#include "common/texture/wrap.h"
 
 #include <array>
 #include <cstdint>
@@ -20,7 +21,9 @@ enum class MipLevels { none, all };
 /// the picture's texels: no level is made of rounded ones.) Sixteen levels at the most.
 ///
 /// Texels are packed in 32 bits, all levels in one array, each level's rows from the bottom up:
-/// what a SIMD gather can read. Computed on any Number (common/image/number.h).
+/// what a SIMD gather can read. Each is followed by the one above it (above the top row, by
+/// itself), so that the four about a point are 16 bytes: of what a blend of four costs, finding and
+/// fetching them is most. Computed on any Number (common/image/number.h).
 class Texture {
  public:
   static constexpr int max_levels = 16;
@@ -53,23 +56,37 @@ class Texture {
   /// bottom are whole numbers, 0 ≤ column < width and 0 ≤ row < height.
   template <class Number>
   Vector3<Number> texel(const Level<Number>& level, const Number& column, const Number& row) const {
-    return gather_texel(texels_.data(),
-                        level.first + to_whole(row) * level.stride + to_whole(column));
+    return gather_texel(texels_.data(), place(level, column, row));
   }
 
-  /// Four texels of a level: in columns `left` and `right` of row `low`, then of row `high`.
+  /// Four texels of a level: of row `low`, in column `left` and the next one, then of the next row.
+  /// Both from −1 up, and with what is next may be one beyond the edge, where `wrap` says what is.
   template <class Number>
   std::array<Vector3<Number>, 4> texels(const Level<Number>& level, const Number& left,
-                                        const Number& right, const Number& low,
-                                        const Number& high) const {
-    const Whole<Number> first = level.first + to_whole(low) * level.stride;
-    const Whole<Number> second = level.first + to_whole(high) * level.stride;
-    return gather_texels(texels_.data(), std::array<Whole<Number>, 4>{
-                                             first + to_whole(left), first + to_whole(right),
-                                             second + to_whole(left), second + to_whole(right)});
+                                        const Number& low, Wrap wrap) const {
+    const auto has_next = [](const Number& first, const Number& size) {
+      return first >= Number(0) && first < size - Number(1);
+    };
+    if constexpr (requires { gather_square(texels_.data(), level.first); }) {
+      if (all(has_next(left, level.width) && has_next(low, level.height))) {
+        return gather_square(texels_.data(), place(level, left, low));
+      }
+    }
+    const std::array<Number, 2> column = {
+        wrap_neighbor(left, level.width, wrap),
+        wrap_neighbor(Number(left + Number(1)), level.width, wrap)};
+    const std::array<Number, 2> row = {wrap_neighbor(low, level.height, wrap),
+                                       wrap_neighbor(Number(low + Number(1)), level.height, wrap)};
+    return {texel(level, column[0], row[0]), texel(level, column[1], row[0]),
+            texel(level, column[0], row[1]), texel(level, column[1], row[1])};
   }
 
  private:
+  template <class Number>
+  Whole<Number> place(const Level<Number>& level, const Number& column, const Number& row) const {
+    return level.first + to_whole(row) * level.stride + to_whole(column);
+  }
+
   void append_level(const Image<Color>& codes);
 
   static constexpr int texels_per_block = 64;
@@ -80,7 +97,7 @@ class Texture {
   std::array<float, max_levels> heights_{};
   std::array<float, max_levels> blocks_{};
   int level_count_ = 0;
-  std::vector<std::uint32_t> texels_;
+  std::vector<TexelAndAbove> texels_;
 };
 
 /// The image at half the sides, rounded down but at least 1: each pixel the mean of the area it

@@ -135,7 +135,7 @@ ToyWhole<Lanes> to_whole(const ToyLanes<Lanes>& a) {
 inline int toy_texel_reads = 0;
 
 template <int Lanes>
-Vector3<ToyLanes<Lanes>> gather_texel(const std::uint32_t* texels, const ToyWhole<Lanes>& index) {
+Vector3<ToyLanes<Lanes>> gather_texel(const TexelAndAbove* texels, const ToyWhole<Lanes>& index) {
   Vector3<ToyLanes<Lanes>> result;
   for (std::size_t i = 0; i < Lanes; ++i) {
     const Eigen::Vector3f texel = rasterlab::gather_texel(texels, index.lane[i]);
