@@ -175,6 +175,20 @@ TimedRung one_by_one_rung(const std::shared_ptr<Image<Rgb8>>& image,
           .errors = judged(*image, segments, draw)};
 }
 
+/// What the memory alone takes that the segments touch.
+TimedRung limit_rung(Image<Rgb8>& image, const std::vector<Segment>& segments) {
+  MemoryLimit limit(image);
+  for (const auto& [p0, p1] : segments) {
+    for (const Point& pixel : line_bresenham(p0, p1))
+      limit.add(std::ptrdiff_t{pixel.y()} * image.width() + pixel.x(), 1);
+  }
+  return {.name = "one byte a cache line",
+          .fault = "draws nothing: what the memory takes",
+          .work = limit,
+          .errors = {},
+          .role = Role::limit};
+}
+
 /// The quick lines and OpenCV's into one picture, one call a line, and what the picture's memory
 /// alone takes. Many lines, lest the processor learn the way of each by heart, but not so many that
 /// the list of what they touch would crowd the picture out of the caches.
@@ -182,11 +196,6 @@ TimedLadder race_of_calls(int length, Direction direction) {
   const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
   const std::vector<Segment> segments = segments_inside(
       static_cast<std::size_t>(std::clamp(400000 / length, 400, 4096)), length, direction, *image);
-  MemoryLimit limit(*image);
-  for (const auto& [p0, p1] : segments) {
-    for (const Point& pixel : line_bresenham(p0, p1))
-      limit.add(std::ptrdiff_t{pixel.y()} * image->width() + pixel.x(), 1);
-  }
   const char* const directions[] = {"flat", "steep", "any"};
   return {.name = "lines of " + std::to_string(length) + " pixels, " +
                   directions[static_cast<int>(direction)] + " direction",
@@ -194,12 +203,7 @@ TimedLadder race_of_calls(int length, Direction direction) {
           .unit = "line",
           .units = static_cast<double>(segments.size()),
           .error = "different pixels per million",
-          .rungs = {{.name = "one byte a cache line",
-                     .fault = "draws nothing: what the memory takes",
-                     .work = limit,
-                     .errors = {},
-                     .role = Role::limit},
-                    peer_rung(*image, segments),
+          .rungs = {limit_rung(*image, segments), peer_rung(*image, segments),
                     one_by_one_rung(image, segments)}};
 }
 
@@ -219,18 +223,18 @@ std::vector<TimedRung> list_rungs(const std::shared_ptr<Image<Rgb8>>& image,
   return rungs;
 }
 
-/// Of segments that lists take by one call: OpenCV, `single_calls`, and every way to draw a list.
+/// Of segments that lists take by one call: `others`, and every way to draw a list.
 TimedLadder race_of_lists(const std::string& name, const std::shared_ptr<Image<Rgb8>>& image,
                           const std::vector<Segment>& segments,
-                          const std::vector<TimedRung>& single_calls) {
+                          const std::vector<TimedRung>& others) {
   TimedLadder ladder{.name = name,
                      .stage = "01",
                      .unit = "line",
                      .units = static_cast<double>(segments.size()),
                      .error = "different pixels per million",
-                     .rungs = {peer_rung(*image, segments)}};
-  for (const std::vector<TimedRung>& rungs : {single_calls, list_rungs(image, segments)})
-    ladder.rungs.insert(ladder.rungs.end(), rungs.begin(), rungs.end());
+                     .rungs = others};
+  const std::vector<TimedRung> lists = list_rungs(image, segments);
+  ladder.rungs.insert(ladder.rungs.end(), lists.begin(), lists.end());
   return ladder;
 }
 
@@ -242,9 +246,10 @@ std::size_t count_of_long_list(int length) {
 TimedLadder race_anywhere(int length) {
   const auto image = std::make_shared<Image<Rgb8>>(1920, 1080);
   const std::size_t count = count_of_long_list(length);
+  const std::vector<Segment> segments = segments_inside(count, length, Direction::any, *image);
   return race_of_lists("list of " + std::to_string(count) + " lines of " + std::to_string(length) +
                            " pixels, any direction",
-                       image, segments_inside(count, length, Direction::any, *image), {});
+                       image, segments, {peer_rung(*image, segments)});
 }
 
 /// Segments that follow each other, so that most of what one touches is in the nearest cache.
@@ -254,7 +259,9 @@ TimedLadder race_along_a_polyline(int length) {
   const std::vector<Segment> segments = polyline(count, length, *image);
   return race_of_lists(
       "polyline of " + std::to_string(count) + " lines of " + std::to_string(length) + " pixels",
-      image, segments, {one_by_one_rung(image, segments)});
+      image, segments,
+      {limit_rung(*image, segments), peer_rung(*image, segments),
+       one_by_one_rung(image, segments)});
 }
 
 std::vector<MakeLadder> ladders() {

@@ -2,10 +2,9 @@
 //
 // A small triangle has few pixels, and what takes time is what a processor cannot foresee. So there
 // are few branches: corners are sorted without, and a row is written by one store that leaves out
-// the bytes that are not the triangle's, however many they are. And there are few loads: one whose
-// address has the same last twelve bits as that of a store before it, of whatever pixel, waits
-// until that pixel has come from a farther cache. So numbers stay in registers, and what can be
-// done without a constant is.
+// the bytes that are not the triangle's, however many they are. And numbers stay in registers: to
+// load one again from an address whose last twelve bits a store before it has too, to whatever
+// pixel, may take until that pixel has come from a farther cache.
 #include "common/triangles/fill_spans_avx512.h"
 
 #include "common/lines/avx512.h"
