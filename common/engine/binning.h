@@ -60,7 +60,7 @@ inline Kinds kinds_of(const Triangles& t, Number area, Truth few_samples) {
   const Number longer = maximum(width, height);
   // A trifle more than it is, as the walk along the lines reckons it too.
   const Number across = magnitude(area) / (longer * Number(256)) + Number(1.0F / 64);
-  constexpr auto widest = static_cast<float>(ThinList::max_width);
+  constexpr auto widest = static_cast<float>(LargeTriangle::max_thin_width);
   constexpr float below_2_to_31 = 2147483000.0F;
   kinds.thin =
       bits(across < Number(widest) && width * height <= Number(below_2_to_31)) & ~kinds.small;
@@ -114,17 +114,16 @@ class Binning {
         add_packed(lane, key, &TileBin::medium, TileBin::worth_of_medium);
         continue;
       }
-      const LargeTriangle triangle = {{x_[0][lane], x_[1][lane], x_[2][lane]},
-                                      {y_[0][lane], y_[1][lane], y_[2][lane]},
-                                      {depth_[0][lane], depth_[1][lane], depth_[2][lane]},
-                                      key,
-                                      kinds.width[lane]};
+      auto* kept = worker_.arena.make<LargeTriangle>();
+      *kept = {{x_[0][lane], x_[1][lane], x_[2][lane]},
+               {y_[0][lane], y_[1][lane], y_[2][lane]},
+               {depth_[0][lane], depth_[1][lane], depth_[2][lane]},
+               key,
+               kinds.width[lane]};
       const PixelBounds pixels = {left_[lane], right_[lane], top_[lane], bottom_[lane]};
-      if (is(kinds.thin)) {
-        for_each_tile(triangle, pixels, [&](int tile) { worker_.add_thin(tile, triangle); });
-      } else {
-        add_large(triangle, pixels);
-      }
+      for_each_tile(*kept, pixels, [&](int tile) {
+        is(kinds.thin) ? worker_.add_thin(tile, kept) : worker_.add_large(tile, kept);
+      });
     }
   }
 

@@ -69,12 +69,18 @@ struct PackedTriangles {
 
 /// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive. Three times four
 /// words, so that a lane's are read in three.
+///
+/// Slivers among them are a few pixels wide where they are widest, along the axis they reach less
+/// far on, and of any length as long as the box around them has less than 2^31 square units: then
+/// all edge functions in it fit 32 bits.
 struct alignas(16) LargeTriangle {
+  static constexpr int max_thin_width = 3;
+
   std::array<std::int32_t, 3> x;
   std::array<std::int32_t, 3> y;
   std::array<float, 3> depth;
   std::uint32_t key;
-  std::int32_t thin_width = 0;  ///< of a sliver
+  std::int32_t thin_width = 0;  ///< of a sliver, in whole pixels
 };
 
 /// Not less than the depth of any of its pixels.
@@ -82,8 +88,9 @@ inline float nearest_of(const LargeTriangle& t) {
   return std::max({t.depth[0], t.depth[1], t.depth[2]}) * 1.000001F;
 }
 
+/// Those that reach into one tile.
 struct LargeTriangles {
-  static constexpr int capacity = 14;
+  static constexpr int capacity = 30;
 
   LargeTriangles* next;
   std::int32_t count;
@@ -93,21 +100,9 @@ struct LargeTriangles {
 /// A sliver in a tile, and which of the tile's lines it may have samples on.
 struct ThinInTile {
   const LargeTriangle* triangle;
-  std::uint8_t first, last;
-  std::uint16_t likeness;  ///< its place among others
-};
-
-/// Slivers that reach into one tile: a few pixels wide where they are widest, along the axis they
-/// reach less far on, and of any length as long as the box around them has less than 2^31 square
-/// units: then all edge functions in it fit 32 bits. Not by pointer: what lies in a row is read
-/// quicker than what lies anywhere.
-struct ThinList {
-  static constexpr int capacity = 32;
-  static constexpr int max_width = 3;  ///< in whole pixels
-
-  ThinList* next;
-  std::int32_t count;
-  std::array<LargeTriangle, capacity> triangle;
+  std::uint8_t first = 0;
+  std::uint8_t last = 0;
+  std::uint16_t likeness = 0;  ///< its place among others
 };
 
 /// What one worker found to draw in one tile, in that order: nearer clusters first, so that what
@@ -133,7 +128,7 @@ struct ChunkList {
 struct TileBin {
   ChunkList<PackedTriangles> small;
   ChunkList<PackedTriangles> medium;
-  ChunkList<ThinList> thin;
+  ChunkList<LargeTriangles> thin;
   ChunkList<LargeTriangles> large;
 
   /// How much there is to draw: 1 for a small triangle, more for what may hide others, less for
@@ -207,8 +202,8 @@ struct alignas(64) Worker {
     chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }
 
-  void add_thin(int tile, const LargeTriangle& triangle) {
-    ThinList& chunk = bin(tile).thin.with_room(arena);
+  void add_thin(int tile, const LargeTriangle* triangle) {
+    LargeTriangles& chunk = bin(tile).thin.with_room(arena);
     if (chunk.count == 0) ++bin(tile).worth;  // for a chunk of them
     chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }

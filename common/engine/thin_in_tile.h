@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -101,40 +102,50 @@ inline LaneLines lines_in_tile(const ThinCorners& t, const Tile& tile) {
           minimum(minimum(shift_right<8>(along[2] - Ints(128)), lines - Ints(1)), near.last)};
 }
 
-static_assert(ThinList::capacity % lanes == 0);
+/// Likenesses are below this one, that of slivers that have no lines in the tile.
+inline constexpr int without_lines = (LargeTriangle::max_thin_width + 1) * 64;
 
-inline void find_in_tile(const ThinList& slivers, const Tile& tile,
-                         std::vector<ThinInTile>& found) {
-  for (int from = 0; from < slivers.count; from += lanes) {
-    // There is always a whole vector of them, be it of anything.
-    const LargeTriangle* triangle = &slivers.triangle[static_cast<std::size_t>(from)];
-    const ThinCorners corners =
-        load_corners([triangle](std::size_t lane) { return triangle + lane; }, tile);
-    const LaneLines lines = lines_in_tile(corners, tile);
-    const Truth present = first_lanes(std::min(slivers.count - from, lanes));
-    std::array<std::int32_t, lanes> first;
-    std::array<std::int32_t, lanes> last;
-    store(lines.first, first.data());
-    store(lines.last, last.data());
-    std::uint32_t reached = bits(present && lines.first <= lines.last);
-    for (; reached != 0; reached &= reached - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(reached));
-      const int likeness = triangle[lane].thin_width * 64 + (last[lane] - first[lane]);
-      found.push_back({triangle + lane, static_cast<std::uint8_t>(first[lane]),
-                       static_cast<std::uint8_t>(last[lane]),
-                       static_cast<std::uint16_t>(likeness)});
-    }
+/// Finds the lines of as many slivers as there are lanes, or fewer.
+inline void find_lines_of_some(std::span<ThinInTile> slivers, const Tile& tile) {
+  const auto last_sliver = slivers.size() - 1;
+  const ThinCorners corners = load_corners(
+      [&](std::size_t lane) { return slivers[std::min(lane, last_sliver)].triangle; }, tile);
+  const LaneLines lines = lines_in_tile(corners, tile);
+  const Ints steps = lines.last - lines.first;
+  std::array<std::int32_t, lanes> first;
+  std::array<std::int32_t, lanes> last;
+  std::array<std::int32_t, lanes> likeness;
+  store(lines.first, first.data());
+  store(lines.last, last.data());
+  store(select(steps < Ints(0), Ints(without_lines), shift_left<6>(corners.width) + steps),
+        likeness.data());
+  for (std::size_t lane = 0; lane < slivers.size(); ++lane) {
+    slivers[lane].first = static_cast<std::uint8_t>(first[lane]);
+    slivers[lane].last = static_cast<std::uint8_t>(last[lane]);
+    slivers[lane].likeness = static_cast<std::uint16_t>(likeness[lane]);
   }
 }
 
-/// By how wide they are and how many lines they have in the tile: so that as many as there are
-/// lanes, walking along side by side, end at the same time.
-inline void sort_thin(const std::vector<ThinInTile>& found, std::vector<ThinInTile>& sorted) {
-  std::array<std::uint32_t, (ThinList::max_width + 1)* 64 + 1> place = {};
-  for (const ThinInTile& thin : found) ++place[thin.likeness + std::size_t{1}];
+/// Those that have lines, sorted by how wide they are and by how many lines they have: so that as
+/// many as there are lanes, walking along side by side, end at the same time.
+inline void sort_thin(std::span<const ThinInTile> slivers, std::vector<ThinInTile>& sorted) {
+  std::array<std::uint32_t, without_lines + 2> place = {};
+  for (const ThinInTile& thin : slivers) ++place[thin.likeness + std::size_t{1}];
   std::partial_sum(place.begin(), place.end(), place.begin());
-  sorted.resize(found.size());
-  for (const ThinInTile& thin : found) sorted[place[thin.likeness]++] = thin;
+  const std::uint32_t count = place[without_lines];
+  sorted.resize(slivers.size());
+  for (const ThinInTile& thin : slivers) sorted[place[thin.likeness]++] = thin;
+  sorted.resize(count);
+}
+
+/// `slivers`: of a tile's bins.
+inline void find_in_tile(std::span<ThinInTile> slivers, const Tile& tile,
+                         std::vector<ThinInTile>& sorted) {
+  for (std::size_t from = 0; from < slivers.size(); from += lanes) {
+    find_lines_of_some(slivers.subspan(from, std::min<std::size_t>(lanes, slivers.size() - from)),
+                       tile);
+  }
+  sort_thin(slivers, sorted);
 }
 
 }  // namespace rasterlab::RASTERLAB_SIMD

@@ -56,11 +56,17 @@ void draw_large(const DrawJob& job, const Tile& tile, std::vector<NearTriangle>&
 constexpr std::size_t enough_for_words = 64;
 
 void draw_slivers(const Tile& tile, std::span<Worker> workers, Worker& worker, HitList& hits) {
-  worker.thin_in_tile.clear();
+  std::vector<ThinInTile>& slivers = worker.thin_in_tile;
+  slivers.clear();
   const auto thins = [](const TileBin& bin) { return bin.thin; };
-  for_each_chunk(workers, tile.index, thins,
-                 [&](const ThinList& chunk) { find_in_tile(chunk, tile, worker.thin_in_tile); });
-  sort_thin(worker.thin_in_tile, worker.thin_sorted);
+  for_each_chunk(workers, tile.index, thins, [&](const LargeTriangles& chunk) {
+    for (int i = 0; i < chunk.count; ++i) {
+      const LargeTriangle* triangle = chunk.triangle[static_cast<std::size_t>(i)];
+      prefetch(*triangle);
+      slivers.push_back({triangle});
+    }
+  });
+  find_in_tile(slivers, tile, worker.thin_sorted);
   if (!tile.has_keys() || worker.thin_sorted.size() < enough_for_words) {
     draw_thin(tile, worker.thin_sorted, [&](std::int32_t place, std::int64_t word) {
       hits.write_one(place, depth_of_word(word), key_of_word(word));
