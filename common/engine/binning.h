@@ -135,42 +135,45 @@ class Binning {
   }
 
  private:
-  /// An edge function for asking whether a tile is wholly outside.
-  struct Edge {
-    std::int64_t at_first, step_x, step_y;
+  /// An edge function, in each tile where it is largest: negative where all of it is outside.
+  struct TileEdge {
+    std::int64_t at_first;        ///< in tile (0, 0)
+    std::int64_t step_x, step_y;  ///< to the next tile
 
-    Edge(const LargeTriangle& t, std::size_t i) {
+    TileEdge(const LargeTriangle& t, std::size_t i, int shift) {
       const std::size_t a = (i + 1) % 3;
       const std::size_t b = (i + 2) % 3;
-      step_x = static_cast<std::int64_t>(t.y[a] - t.y[b]) * 256;
-      step_y = static_cast<std::int64_t>(t.x[b] - t.x[a]) * 256;
-      at_first = static_cast<std::int64_t>(t.x[b] - t.x[a]) * (128 - t.y[a]) -
-                 static_cast<std::int64_t>(t.y[b] - t.y[a]) * (128 - t.x[a]);
+      const std::int64_t dx = t.x[b] - t.x[a];
+      const std::int64_t dy = t.y[b] - t.y[a];
+      const std::int64_t to_last = ((std::int64_t{1} << shift) - 1) * 256;
+      at_first = dx * (128 - t.y[a]) - dy * (128 - t.x[a]) +
+                 to_last * (std::max<std::int64_t>(-dy, 0) + std::max<std::int64_t>(dx, 0));
+      step_x = -dy * (std::int64_t{256} << shift);
+      step_y = dx * (std::int64_t{256} << shift);
     }
 
-    bool misses(int tx, int ty, int shift) const {
-      const std::int64_t size = std::int64_t{1} << shift;
-      const std::int64_t x = tx * size + (step_x > 0 ? size - 1 : 0);
-      const std::int64_t y = ty * size + (step_y > 0 ? size - 1 : 0);
-      return at_first + x * step_x + y * step_y < 0;
-    }
+    std::int64_t at(int tx, int ty) const { return at_first + tx * step_x + ty * step_y; }
   };
 
   /// Calls `visit(tile)` for the tiles in which a triangle may be seen.
   template <class Visit>
   void for_each_tile(const LargeTriangle& triangle, const PixelBounds& pixels, Visit&& visit) {
-    const std::array<Edge, 3> edges = {Edge(triangle, 0), Edge(triangle, 1), Edge(triangle, 2)};
+    const std::array<TileEdge, 3> edges = {TileEdge(triangle, 0, tile_shift_),
+                                           TileEdge(triangle, 1, tile_shift_),
+                                           TileEdge(triangle, 2, tile_shift_)};
     const float nearest = nearest_of(triangle);
+    const int left = pixels.left >> tile_shift_;
+    const int right = pixels.right >> tile_shift_;
     for (int ty = pixels.top >> tile_shift_; ty <= pixels.bottom >> tile_shift_; ++ty) {
-      for (int tx = pixels.left >> tile_shift_; tx <= pixels.right >> tile_shift_; ++tx) {
-        if (edges[0].misses(tx, ty, tile_shift_) || edges[1].misses(tx, ty, tile_shift_) ||
-            edges[2].misses(tx, ty, tile_shift_)) {
-          continue;
-        }
+      std::array<std::int64_t, 3> e;
+      for (std::size_t i = 0; i < 3; ++i) e[i] = edges[i].at(left, ty);
+      for (int tx = left; tx <= right; ++tx) {
         const int tile = ty * tiles_x_ + tx;
-        if (hides(tile, nearest)) continue;
-        visit(tile);
-        ++worker_.statistics.triangles_binned;
+        if ((e[0] | e[1] | e[2]) >= 0 && !hides(tile, nearest)) {
+          visit(tile);
+          ++worker_.statistics.triangles_binned;
+        }
+        for (std::size_t i = 0; i < 3; ++i) e[i] += edges[i].step_x;
       }
     }
   }

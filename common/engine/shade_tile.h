@@ -82,7 +82,16 @@ class TileShading {
                   corners + i * varying_count);
     }
   }
-  static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners};
+  static bool to_differences(float* corners) {
+    bool differ = false;
+    for (int i = varying_count; i < 3 * varying_count; ++i) {
+      corners[i] -= corners[i % varying_count];
+      differ = differ || corners[i] != 0;
+    }
+    return differ;
+  }
+  static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners,
+                                                     &to_differences};
 
   /// Calls `visit(i)` for the varyings' Numbers. Not a loop: only what is written out is dropped by
   /// the compiler where the shader doesn't read it.

@@ -70,12 +70,19 @@ void VisibleTriangles::collect_block(int block) {
   const std::uint32_t* key = tile_.key + block * 64;
   const Ints first(static_cast<std::int32_t>(job_.first_key));
   BlockMask rest = pixels_where(key, [&](Ints keys) { return keys >= first; }) & inside(block);
+  const auto pixels_of = [&](std::uint32_t one) {
+    const Ints wanted(static_cast<std::int32_t>(one));
+    return pixels_where(key, [&](Ints keys) { return keys == wanted; });
+  };
+  // From both ends: two searches that needn't wait for each other.
   while (rest != 0) {
     const std::uint32_t one = key[std::countr_zero(rest)];
-    const Ints wanted(static_cast<std::int32_t>(one));
-    const BlockMask mask = rest & pixels_where(key, [&](Ints keys) { return keys == wanted; });
-    scratch_.part.push_back({mask, slot_of(one)});
-    rest &= ~mask;
+    const std::uint32_t other = key[63 - std::countl_zero(rest)];
+    const BlockMask of_one = rest & pixels_of(one);
+    const BlockMask of_other = rest & pixels_of(other);
+    scratch_.part.push_back({of_one, slot_of(one)});
+    if (other != one) scratch_.part.push_back({of_other, slot_of(other)});
+    rest &= ~(of_one | of_other);
   }
 }
 
@@ -209,7 +216,7 @@ void VisibleTriangles::set_up_some(std::size_t first_slot, std::size_t count) {
   }
   std::uint32_t varying = 0;
   for (std::size_t lane = 0; lane < count; ++lane) {
-    write_differences(first_slot + lane);
+    to_differences(first_slot + lane);
     if (!scratch_.triangle[first_slot + lane].is_constant) varying |= 1U << lane;
   }
   scratch_.likely_constant = varying == 0;
@@ -243,17 +250,8 @@ bool VisibleTriangles::shows_front(std::int32_t slot) const {
   return positive == job_.mirrored;
 }
 
-/// Of corners 1 and 2, the differences from corner 0 in place of the values.
-void VisibleTriangles::write_differences(std::size_t slot) {
-  const int count = varyings_.count;
-  float* corner0 = record(slot) + word::count;
-  float* differences = corner0 + count;
-  bool differ = false;
-  for (int i = 0; i < 2 * count; ++i) {
-    differences[i] -= corner0[i < count ? i : i - count];
-    differ = differ || differences[i] != 0;
-  }
-  scratch_.triangle[slot].is_constant = !differ;
+void VisibleTriangles::to_differences(std::size_t slot) {
+  scratch_.triangle[slot].is_constant = !varyings_.to_differences(record(slot) + word::count);
 }
 
 /// Into the lanes' records, four at a time and the last one by itself.
@@ -366,7 +364,7 @@ void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
     }
   }
   write_geometry(lanes_of_part, slot, 1);
-  write_differences(slot);
+  to_differences(slot);
 }
 
 /// In the lists of the blocks, the parts in place of the whole. A pixel on the line between two is
