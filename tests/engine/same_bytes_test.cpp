@@ -5,6 +5,9 @@
 
 #include "tests/engine/test_shaders.h"
 
+#include <algorithm>
+#include <random>
+
 #include <gmock/gmock.h>
 
 namespace rasterlab {
@@ -58,6 +61,24 @@ Mesh rotated_corners(Mesh mesh, int by) {
   return mesh;
 }
 
+/// Each of them twice, so that the earlier one must win everywhere. A tile of 64 pixels has
+/// hundreds of them, one of 16 a few dozen.
+Mesh slivers() {
+  std::mt19937 random(3);
+  const auto number = [&random] { return static_cast<float>(random() >> 8U) / 8388608.0F - 1; };
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 1200; ++i) {
+    const Eigen::Vector3f from(number(), number(), number());
+    const Eigen::Vector3f along = 0.5F * Eigen::Vector3f(number(), number(), number());
+    const Eigen::Vector3f across = 0.01F * Eigen::Vector3f(number(), number(), number());
+    mesh.positions.insert(mesh.positions.end(), {from, from + along, from + across});
+    mesh.normals.insert(mesh.normals.end(), 3, along.normalized());
+    mesh.triangles.insert(mesh.triangles.end(), 2, {3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+  return mesh;
+}
+
 class engine_same_bytes : public testing::TestWithParam<float> {
  protected:
   template <class Shader>
@@ -66,6 +87,8 @@ class engine_same_bytes : public testing::TestWithParam<float> {
       SCOPED_TRACE(shape);
       check<Shader>(make_shape(shape));
     }
+    SCOPED_TRACE("slivers");
+    check<Shader>(slivers());
   }
 
   template <class Shader>
