@@ -399,9 +399,27 @@ inline void store_fours(const Number* fours, float* const* to, int count) {
 }
 #endif
 
+/// A byte of each lane, 0 to 255.
+template <int number>
+Ints byte_of(Ints a) {
+#if HWY_TARGET == HWY_SCALAR
+  return shift_right<8 * number>(a) & Ints(255);
+#else
+  // The byte's place in 16 bytes, and none for the three above it: cheaper than to shift, which
+  // conversions to floats wait for.
+  alignas(64) static constexpr std::array<std::uint32_t, 16> places = [] {
+    std::array<std::uint32_t, 16> place{};
+    for (std::uint32_t i = 0; i < 16; ++i) place[i] = 0x80808000U + i % 4 * 4 + number;
+    return place;
+  }();
+  const hn::Repartition<std::uint8_t, IntTag> bytes;
+  const auto place = hn::BitCast(bytes, hn::Load(UintTag(), places.data()));
+  return Ints(hn::BitCast(IntTag(), hn::TableLookupBytesOr0(hn::BitCast(bytes, a.v), place)));
+#endif
+}
 inline Vector3<Number> unpack_texel(Ints texel) {
-  return {as_numbers(texel & Ints(255)), as_numbers(shift_right<8>(texel) & Ints(255)),
-          as_numbers(shift_right<16>(texel))};
+  return {as_numbers(texel & Ints(255)), as_numbers(byte_of<1>(texel)),
+          as_numbers(byte_of<2>(texel))};
 }
 
 /// Per lane a number for addresses, read from memory: left to itself, the compiler takes the lanes
