@@ -374,7 +374,8 @@ TEST(stage02_fill_spans, refuse_corners_too_far) {
 }
 
 /// Checks that every way to fill a list sets exactly the pixels that the last rung sets triangle by
-/// triangle, of a picture that differs everywhere, and counts what single calls count.
+/// triangle, of a picture that differs everywhere, and counts what single calls count; also behind
+/// many that are small, as the first ones may decide how a list is filled.
 void expect_filled_as_one_by_one(const std::vector<Corners>& triangles, int width, int height) {
   const Rgb8 color{10, 20, 30};
   Image<Rgb8> before(width, height, Rgb8{7, 8, 9});
@@ -387,11 +388,15 @@ void expect_filled_as_one_by_one(const std::vector<Corners>& triangles, int widt
     fill_edge_functions(expected, corners, color);
     drawn.add(fill_spans(by_single_calls, corners, color));
   }
+  std::vector<Corners> behind_small(64, {Eigen::Vector2d{1, 1}, {1, 1}, {1, 1}});
+  behind_small.insert(behind_small.end(), triangles.begin(), triangles.end());
   for (const TriangleListWay& way : triangle_list_ways()) {
-    Image<Rgb8> image = before;
-    EXPECT_TRUE(way.fill(image, triangles, color) == drawn) << way.name;
-    EXPECT_TRUE(image == expected)
-        << way.name << ", " << triangles.size() << " triangles, " << width << " x " << height;
+    for (const std::vector<Corners>& list : {triangles, behind_small}) {
+      Image<Rgb8> image = before;
+      EXPECT_TRUE(way.fill(image, list, color) == drawn) << way.name;
+      EXPECT_TRUE(image == expected)
+          << way.name << ", " << list.size() << " triangles, " << width << " x " << height;
+    }
   }
 }
 
