@@ -82,16 +82,28 @@ class TileShading {
                   corners + i * varying_count);
     }
   }
-  static bool to_differences(float* corners) {
+  /// All corners at once, in registers.
+  static bool write_record(const void* shader, const Mesh& mesh, std::uint32_t triangle, int first,
+                           float* corners) {
+    const auto corner = [&](int i) {
+      return static_cast<const Shader*>(shader)->vertex(mesh, triangle, (first + i) % 3);
+    };
+    const Varyings<float> value0 = corner(0);
+    const Varyings<float> value1 = corner(1);
+    const Varyings<float> value2 = corner(2);
     bool differ = false;
-    for (int i = varying_count; i < 3 * varying_count; ++i) {
-      corners[i] -= corners[i % varying_count];
-      differ = differ || corners[i] != 0;
-    }
+    for_each_number([&](int i) {
+      const float at0 = number_of(value0, i);
+      const float to1 = number_of(value1, i) - at0;
+      const float to2 = number_of(value2, i) - at0;
+      corners[i] = at0;
+      corners[varying_count + i] = to1;
+      corners[2 * varying_count + i] = to2;
+      differ |= to1 != 0 || to2 != 0;
+    });
     return differ;
   }
-  static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners,
-                                                     &to_differences};
+  static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners, &write_record};
 
   /// Calls `visit(i)` for the varyings' Numbers. Not a loop: only what is written out is dropped by
   /// the compiler where the shader doesn't read it.
@@ -216,7 +228,8 @@ class TileShading {
     EachRecord records(int first) const { return {table->word.data(), *numbers, first}; }
   };
 
-  /// Their records in a table: one for the block, or, where it sees too many, one for each vector.
+  /// Their records in a table: one for the block, or, where it sees too many, one for two vectors
+  /// or for each.
   void shade_many(int block, const PartsOfBlock& varying, BlockColors& colors) const {
     std::array<Table, 2> table;
     std::array<RecordNumbers, 2> numbers;
@@ -233,22 +246,30 @@ class TileShading {
       const std::uint32_t wanted = pair_at(varying.mask, first);
       if (wanted == 0) continue;
       const int second = first + lanes;
+      std::size_t high = 0;
       if (!in_one) {
-        look_at(seen_in_vector(varying, first).parts(), 0, first, second);
-        look_at(seen_in_vector(varying, second).parts(), 1, second, second + lanes);
+        const PartsOfBlock pair = seen_in(varying, first, 2 * lanes);
+        if (pair.count <= Table::most) {
+          look_at(pair.parts(), 0, first, second + lanes);
+        } else {
+          high = 1;
+          look_at(seen_in(pair, first, lanes).parts(), 0, first, second);
+          look_at(seen_in(pair, second, lanes).parts(), 1, second, second + lanes);
+        }
       }
-      const std::size_t high = in_one ? 0 : 1;
       const std::array<SeenByVector, 2> seen = {
           {{&table[0], &numbers[0]}, {&table[high], &numbers[high]}}};
       take(shade_pair(nullptr, &seen, &weights, first, wanted), wanted, first, colors);
     }
   }
 
-  /// Where there are none, anything: lanes beside those that are wanted.
-  static PartsOfBlock seen_in_vector(const PartsOfBlock& varying, int first) {
+  /// In these pixels of a block. Where there are none, anything: lanes beside those that are
+  /// wanted.
+  static PartsOfBlock seen_in(const PartsOfBlock& varying, int first, int count) {
+    const BlockMask pixels = (~BlockMask{0} >> (64 - count)) << first;
     PartsOfBlock here;
     for (const VisiblePart& part : varying.parts()) {
-      const BlockMask mask = part.mask & (BlockMask{all_lanes} << first);
+      const BlockMask mask = part.mask & pixels;
       if (mask != 0) here.add({mask, part.slot});
     }
     if (here.count == 0) here.add({BlockMask{1} << first, varying.part[0].slot});

@@ -43,9 +43,10 @@ struct CornerVaryings {
   /// Those of corners first, first + 1 and first + 2 (modulo 3), one corner after the other.
   void (*write)(const void* shader, const Mesh& mesh, std::uint32_t triangle, int first,
                 float* corners);
-  /// Of the second and the third corner, differences from the first in place of the values. Returns
-  /// whether any isn't zero.
-  bool (*to_differences)(float* corners);
+  /// As in a record: of the second and third corner, differences from the first in place of the
+  /// values. Returns whether any isn't zero.
+  bool (*write_record)(const void* shader, const Mesh& mesh, std::uint32_t triangle, int first,
+                       float* numbers);
 
   /// A record's length: whole fours, for load_fours().
   constexpr int record_size() const { return (word::count + 3 * count + 3) / 4 * 4; }
@@ -178,7 +179,6 @@ class VisibleTriangles {
   void write_geometry(const TriangleLanes& triangles, std::size_t first_slot, std::size_t count);
   void write_words(const std::array<Ints, word::count>& words, std::size_t first_slot,
                    std::size_t count);
-  void to_differences(std::size_t slot);
   void resolve_clipped_pixels();
   void divide_clipped_triangles(std::span<const PartOfClipped> clipped);
   void add_slot(const ClippedPart& part, const float* corners);

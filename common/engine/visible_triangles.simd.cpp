@@ -210,14 +210,13 @@ void VisibleTriangles::set_up_some(std::size_t first_slot, std::size_t count) {
       corner_order(load(key.data()) - Ints(static_cast<std::int32_t>(job_.first_key)));
   std::array<std::int32_t, lanes> first;
   store(corners.first, first.data());
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    varyings_.write(job_.shader, mesh_, triangle_of(key[lane]), first[lane],
-                    record(first_slot + lane) + word::count);
-  }
   std::uint32_t varying = 0;
   for (std::size_t lane = 0; lane < count; ++lane) {
-    to_differences(first_slot + lane);
-    if (!scratch_.triangle[first_slot + lane].is_constant) varying |= 1U << lane;
+    const std::size_t slot = first_slot + lane;
+    const bool varies = varyings_.write_record(job_.shader, mesh_, triangle_of(key[lane]),
+                                               first[lane], record(slot) + word::count);
+    scratch_.triangle[slot].is_constant = !varies;
+    if (varies) varying |= 1U << lane;
   }
   scratch_.likely_constant = varying == 0;
   if (varying == 0) return;
@@ -248,10 +247,6 @@ bool VisibleTriangles::shows_front(std::int32_t slot) const {
                             ? all(to_number(lanes_of_one.exact_area()) > Number(0))
                             : parts_of(job_.transform, clipped(corners)).side > 0;
   return positive == job_.mirrored;
-}
-
-void VisibleTriangles::to_differences(std::size_t slot) {
-  scratch_.triangle[slot].is_constant = !varyings_.to_differences(record(slot) + word::count);
 }
 
 /// Into the lanes' records, four at a time and the last one by itself.
@@ -351,20 +346,29 @@ void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
   reserve_slots(slot + 1);
   TriangleLanes lanes_of_part;
   const auto count = static_cast<std::size_t>(varyings_.count);
-  float* values = record(slot) + word::count;
-  for (std::size_t c = 0; c < 3; ++c) {
+  const auto value = [&](std::size_t c, std::size_t i) {
     const ClippedCorner& corner = *part.corner[c];
-    lanes_of_part.x[c] = Ints(part.snapped[c].x);
-    lanes_of_part.y[c] = Ints(part.snapped[c].y);
-    lanes_of_part.w[c] = Number(static_cast<float>(corner.w));
-    for (std::size_t i = 0; i < count; ++i) {
-      const double a0 = corners[i];
-      values[c * count + i] = static_cast<float>(
-          a0 + (corner.b1 * (corners[count + i] - a0) + corner.b2 * (corners[2 * count + i] - a0)));
+    const double a0 = corners[i];
+    return static_cast<float>(
+        a0 + (corner.b1 * (corners[count + i] - a0) + corner.b2 * (corners[2 * count + i] - a0)));
+  };
+  float* numbers = record(slot) + word::count;
+  bool differ = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers[i] = value(0, i);
+    for (std::size_t c = 1; c < 3; ++c) {
+      const float difference = value(c, i) - numbers[i];
+      numbers[c * count + i] = difference;
+      differ = differ || difference != 0;
     }
   }
+  for (std::size_t c = 0; c < 3; ++c) {
+    lanes_of_part.x[c] = Ints(part.snapped[c].x);
+    lanes_of_part.y[c] = Ints(part.snapped[c].y);
+    lanes_of_part.w[c] = Number(static_cast<float>(part.corner[c]->w));
+  }
   write_geometry(lanes_of_part, slot, 1);
-  to_differences(slot);
+  scratch_.triangle[slot].is_constant = !differ;
 }
 
 /// In the lists of the blocks, the parts in place of the whole. A pixel on the line between two is
