@@ -37,6 +37,9 @@ namespace {
 
 constexpr int table_bits = 12;
 
+/// Triangles: a few times what a processor can wait for at once, and not more than fits near it.
+constexpr std::size_t fetched_at_once = 128;
+
 /// Where in the hash table a key belongs.
 std::size_t table_index(std::uint32_t key) {
   return key * 2654435761U >> (32 - table_bits);
@@ -143,6 +146,8 @@ void VisibleTriangles::set_up() {
   scratch_.clipped.clear();
   reserve_slots(count);
   for (std::size_t first = 0; first < count; first += lanes) {
+    if (first % fetched_at_once == 0)
+      fetch_vertices(first, std::min(fetched_at_once, count - first));
     set_up_some(first, std::min<std::size_t>(lanes, count - first));
   }
   statistics_.triangles_shaded += count;
@@ -153,11 +158,15 @@ void VisibleTriangles::set_up() {
 /// for memory by itself. (Prefetch instructions do not do it: where a page isn't known they do
 /// nothing.)
 void VisibleTriangles::fetch_vertices(std::size_t first_slot, std::size_t count) {
-  float sum = 0;
-  for (std::size_t slot = first_slot; slot < first_slot + count; ++slot) {
-    for (const std::uint32_t vertex : mesh_.triangles[triangle_of(scratch_.key[slot])]) {
-      sum += mesh_.positions[vertex].x();
+  const auto keys = std::span(scratch_.key).subspan(first_slot, count);
+  std::uint32_t vertices = 0;
+  for (const std::uint32_t key : keys) vertices += mesh_.triangles[triangle_of(key)].front();
+  float sum = static_cast<float>(vertices);
+  for (const std::uint32_t key : keys) {
+    for (const std::uint32_t vertex : mesh_.triangles[triangle_of(key)]) {
       if (!mesh_.normals.empty()) sum += mesh_.normals[vertex].x();
+      if (scratch_.likely_constant) continue;
+      sum += mesh_.positions[vertex].x();
       if (!mesh_.texture_coordinates.empty()) sum += mesh_.texture_coordinates[vertex].x();
     }
   }
@@ -201,7 +210,6 @@ VisibleTriangles::TriangleLanes VisibleTriangles::in_window(const CornerLanes& c
 /// Varyings first: triangles that are the same all over lie anywhere. Where there is one such, the
 /// next ones are likely like it, and their positions needn't be fetched.
 void VisibleTriangles::set_up_some(std::size_t first_slot, std::size_t count) {
-  if (!scratch_.likely_constant) fetch_vertices(first_slot, count);
   std::array<std::uint32_t, lanes> key;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     key[lane] = scratch_.key[first_slot + std::min(lane, count - 1)];
