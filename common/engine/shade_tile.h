@@ -506,7 +506,7 @@ class TileShading {
   }
   static void write_bytes(const Vector3<NumberPair>& color, std::uint32_t* packed) {
     const auto pack = [](Number r, Number g, Number b) {
-      return byte(r) | shift_left<8>(byte(g)) | shift_left<16>(byte(b));
+      return byte(r) | moved_byte<0, 1>(byte(g)) | moved_byte<0, 2>(byte(b));
     };
     store(pack(color.x().low, color.y().low, color.z().low), packed);
     store(pack(color.x().high, color.y().high, color.z().high), packed + lanes);

@@ -399,17 +399,18 @@ inline void store_fours(const Number* fours, float* const* to, int count) {
 }
 #endif
 
-/// A byte of each lane, 0 to 255.
-template <int number>
-Ints byte_of(Ints a) {
+/// Per lane its byte `from` at place `to`, and else zeros.
+template <int from, int to>
+Ints moved_byte(Ints a) {
 #if HWY_TARGET == HWY_SCALAR
-  return shift_right<8 * number>(a) & Ints(255);
+  return shift_left<8 * to>(shift_right<8 * from>(a) & Ints(255));
 #else
-  // The byte's place in 16 bytes, and none for the three above it: cheaper than to shift, which
-  // conversions to floats wait for.
+  // By permutation: shifts would begin in the same pipes as sums and conversions to float.
   alignas(64) static constexpr std::array<std::uint32_t, 16> places = [] {
     std::array<std::uint32_t, 16> place{};
-    for (std::uint32_t i = 0; i < 16; ++i) place[i] = 0x80808000U + i % 4 * 4 + number;
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      place[i] = (0x80808080U & ~(0xFFU << 8 * to)) | (i % 4 * 4 + from) << 8 * to;
+    }
     return place;
   }();
   const hn::Repartition<std::uint8_t, IntTag> bytes;
@@ -418,8 +419,8 @@ Ints byte_of(Ints a) {
 #endif
 }
 inline Vector3<Number> unpack_texel(Ints texel) {
-  return {as_numbers(texel & Ints(255)), as_numbers(byte_of<1>(texel)),
-          as_numbers(byte_of<2>(texel))};
+  return {as_numbers(texel & Ints(255)), as_numbers(moved_byte<1, 0>(texel)),
+          as_numbers(moved_byte<2, 0>(texel))};
 }
 
 /// Per lane a number for addresses, read from memory: left to itself, the compiler takes the lanes
