@@ -54,8 +54,8 @@ struct RecordTable {
 
   alignas(64) std::array<std::array<float, most>, static_cast<std::size_t>(word_count)> word;
 
-  [[gnu::noinline]] void fill(const VisibleTriangles& triangles,
-                              std::span<const VisiblePart> parts) {
+  [[gnu::noinline, gnu::flatten]] void fill(const VisibleTriangles& triangles,
+                                            std::span<const VisiblePart> parts) {
     for (std::size_t first = 0; first < parts.size(); first += lanes) {
       std::array<const float*, lanes> record;
       for (std::size_t i = 0; i < lanes; ++i) {
