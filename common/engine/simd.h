@@ -441,8 +441,8 @@ inline Vector3<Number> gather_texel(const TexelAndAbove* texels, Ints index) {
   return unpack_texel(load(texel.data()));
 }
 
-/// Per lane the texel, the next one, and the two above them: a load a lane and a transposition take
-/// a sixth as long as four gathers.
+/// Per lane the texel, the next one, and the two above them: a load a lane and a transposition in
+/// place of four gathers.
 inline std::array<Vector3<Number>, 4> gather_square(const TexelAndAbove* texels, Ints index) {
   const Addresses at(index);
   std::array<Number, 4> fours;
