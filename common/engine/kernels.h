@@ -24,8 +24,8 @@ struct ShadingKernels {
   void (*shade_tile)(const DrawJob& job, const Tile& tile, Worker& worker);
   /// Of the pixels `covered` of a block of the picture at (left, top), those the shader doesn't
   /// discard for this triangle. nullptr for a shader that never discards.
-  BlockMask (*keep)(const DrawJob& job, std::uint32_t key, int left, int top, BlockMask covered,
-                    Worker& worker);
+  BlockMask (*not_discarded)(const DrawJob& job, std::uint32_t key, int left, int top,
+                             BlockMask covered, Worker& worker);
 };
 
 /// A draw call as the kernels see it.
@@ -41,10 +41,11 @@ struct DrawJob {
   const ShadingKernels* shading;  ///< nullptr: depth only
   FrameAccess frame;
 
+  /// Nobody asks which triangle a pixel shows.
   bool wants_depth_only() const {
     return shading == nullptr && keep != Keep::everything && skip.unwanted_depth;
   }
-  bool discards() const { return shading != nullptr && shading->keep != nullptr; }
+  bool discards() const { return shading != nullptr && shading->not_discarded != nullptr; }
 };
 
 /// What of a mesh's clusters is to be drawn, and how near it is at most.

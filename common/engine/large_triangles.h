@@ -214,7 +214,8 @@ class LargeDrawing {
         const Truth nearer = nearer_in(g, depth_of(g), load(depth_there + g * lanes));
         kept |= static_cast<BlockMask>(bits(nearer)) << (g * lanes);
       }
-      kept = job_.shading->keep(job_, triangle_.key, tile_.left + x, tile_.top + y, kept, worker);
+      kept = job_.shading->not_discarded(job_, triangle_.key, tile_.left + x, tile_.top + y, kept,
+                                         worker);
     }
     Number far(3.4e38F);
     for (std::size_t g = 0; g < groups; ++g) {

@@ -237,6 +237,7 @@ Renderer::~Renderer() = default;
 Statistics Renderer::draw(const DrawCall& call, Framebuffer& frame) {
   if (call.mesh == nullptr) throw CheckError("a draw call without a mesh");
   const auto start = std::chrono::steady_clock::now();
+  const EngineKernels& kernels = kernels_for(options_.simd);
   FrameAccess access(frame);
   if (access.kept() != Keep::everything) {
     throw CheckError("the draw call before did not keep everything: clear the framebuffer first");
@@ -253,10 +254,11 @@ Statistics Renderer::draw(const DrawCall& call, Framebuffer& frame) {
                        call.shading.kernels[static_cast<std::size_t>(options_.simd)],
                        access};
   for (Worker& worker : threads_->workers) worker.statistics = {};
+  access.kept() = Keep::color;  // should a shader throw, depth is there only in part
   if (frame.width() > 0 && frame.height() > 0) {
     std::optional<StayOnCore> on_core;
     threads_->team.stay(on_core);
-    Drawing(job, kernels_for(options_.simd), *threads_).run();
+    Drawing(job, kernels, *threads_).run();
   }
   access.kept() = call.keep;
   Statistics total;

@@ -47,7 +47,7 @@ class Renderer {
   ///
   /// Throws CheckError when there is no mesh, when the draw call before did not keep everything, or
   /// for more than 2^31 triangles since clear(); InputError when this machine can't run the SIMD
-  /// target.
+  /// target. What a shader throws, this throws; the framebuffer must be cleared then.
   Statistics draw(const DrawCall& call, Framebuffer& frame);
 
  private:

@@ -51,7 +51,7 @@ class TileShading {
   }
 
   /// For one triangle and a tile of one block: which of the pixels the shader keeps.
-  BlockMask keep(std::uint32_t key, BlockMask covered) {
+  BlockMask not_discarded(std::uint32_t key, BlockMask covered) {
     triangles_.take_one(key, covered);
     shade_constant_triangles();
     return shade_block(0).kept & covered;
@@ -524,20 +524,20 @@ void shade_tile(const DrawJob& job, const Tile& tile, Worker& worker) {
 }
 
 template <class Shader>
-BlockMask keep(const DrawJob& job, std::uint32_t key, int left, int top, BlockMask covered,
-               Worker& worker) {
+BlockMask not_discarded(const DrawJob& job, std::uint32_t key, int left, int top, BlockMask covered,
+                        Worker& worker) {
   Tile block;
   block.left = left;
   block.top = top;
   block.size = 8;
-  return TileShading<Shader>(job, block, worker).keep(key, covered);
+  return TileShading<Shader>(job, block, worker).not_discarded(key, covered);
 }
 
 /// The functions a shader is compiled to, for this file's instruction set.
 template <class Shader>
 constexpr ShadingKernels make_kernels() {
   ShadingKernels kernels = {&shade_tile<Shader>, nullptr};
-  if constexpr (may_discard<Shader>) kernels.keep = &keep<Shader>;
+  if constexpr (may_discard<Shader>) kernels.not_discarded = &not_discarded<Shader>;
   return kernels;
 }
 

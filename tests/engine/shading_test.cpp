@@ -175,5 +175,25 @@ TEST(engine_shading, tells_a_triangle_without_varyings_which_side_is_seen) {
   }
 }
 
+/// A frame that a shader broke off gives no depth, of which some was never written.
+TEST(engine_shading, hands_on_what_a_shader_throws) {
+  const Mesh mesh = stack(3, 1);
+  const PreparedMesh prepared(mesh);
+  const FailingShader shader = {{true}};
+  Framebuffer frame(width, height);
+  Renderer renderer({.threads = 2});
+  for (const Keep keep : {Keep::everything, Keep::depth}) {
+    const DrawCall call = {
+        .mesh = &prepared, .matrix = tilted(), .shading = shading(shader), .keep = keep};
+    EXPECT_THROW(renderer.draw(call, frame), std::runtime_error);
+    EXPECT_THROW(frame.depth(), CheckError);
+    EXPECT_THROW(renderer.draw({.mesh = &prepared}, frame), CheckError);
+    frame.clear();
+    renderer.draw({.mesh = &prepared, .matrix = tilted()}, frame);
+    EXPECT_GT(drawn_pixels(frame), 3000);
+    frame.clear();
+  }
+}
+
 }  // namespace
 }  // namespace rasterlab

@@ -4,6 +4,7 @@
 #include "common/mesh/shader_types.h"
 
 #include <atomic>
+#include <stdexcept>
 
 namespace rasterlab {
 
@@ -116,6 +117,13 @@ struct TwoSidedShader {
     const float grey = (point.value.code + (point.front_facing ? 0.0F : 128.0F)) / 255;
     const bool seventh = static_cast<int>(point.value.code) % 7 == 0;
     return {{grey, grey, grey}, seventh && !point.front_facing};
+  }
+};
+
+/// Like an exercise that isn't written.
+struct FailingShader : TwoSidedShader {
+  Fragment<float> fragment(const SurfacePoint<Varyings, float>&) const {
+    throw std::runtime_error("not written");
   }
 };
 
