@@ -23,7 +23,8 @@ constexpr Switch switches[] = {{"outside", &Skips::outside},
                                {"hidden clusters", &Skips::hidden_clusters},
                                {"hidden triangles", &Skips::hidden_triangles},
                                {"front to back", &Skips::front_to_back},
-                               {"unwanted depth", &Skips::unwanted_depth}};
+                               {"unwanted depth", &Skips::unwanted_depth},
+                               {"undisputed blocks", &Skips::undisputed_blocks}};
 
 Skips nothing() {
   Skips skips;

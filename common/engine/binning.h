@@ -161,7 +161,7 @@ class Binning {
     const std::array<TileEdge, 3> edges = {TileEdge(triangle, 0, tile_shift_),
                                            TileEdge(triangle, 1, tile_shift_),
                                            TileEdge(triangle, 2, tile_shift_)};
-    const float nearest = nearest_of(triangle);
+    const float nearest = bounds_of(triangle.depth).near;
     const int left = pixels.left >> tile_shift_;
     const int right = pixels.right >> tile_shift_;
     for (int ty = pixels.top >> tile_shift_; ty <= pixels.bottom >> tile_shift_; ++ty) {

@@ -83,11 +83,6 @@ struct alignas(16) LargeTriangle {
   std::int32_t thin_width = 0;  ///< of a sliver, in whole pixels
 };
 
-/// Not less than the depth of any of its pixels.
-inline float nearest_of(const LargeTriangle& t) {
-  return std::max({t.depth[0], t.depth[1], t.depth[2]}) * 1.000001F;
-}
-
 /// Those that reach into one tile.
 struct LargeTriangles {
   static constexpr int capacity = 30;
@@ -143,7 +138,7 @@ struct TileBin {
 using PixelWords = std::array<std::int64_t, 64 * 64>;
 
 struct NearTriangle {
-  float nearest;
+  float nearest;  ///< no depth of it is more
   const LargeTriangle* triangle;
 };
 
@@ -166,15 +161,16 @@ struct ShadedTriangle {
 
 /// Room for shading a tile, kept from one to the next (visible_triangles.h).
 struct ShadingScratch {
-  std::vector<VisiblePart> part;         ///< block after block
-  std::vector<std::uint32_t> parts_end;  ///< per block
-  std::vector<std::uint32_t> key;        ///< per slot: the triangle that has it
-  std::vector<std::uint32_t> clipped;    ///< slots of triangles that had to be clipped
-  std::vector<std::uint32_t> table;      ///< hash table from key to slot
-  std::vector<float> record;             ///< per slot
-  std::vector<ShadedTriangle> triangle;  ///< per slot
-  bool likely_constant = false;          ///< the last triangles set up were
-  float fetched;                         ///< of no use but that what it was made of had to be read
+  std::vector<VisiblePart> part;            ///< block after block
+  std::vector<std::uint32_t> parts_end;     ///< per block
+  std::vector<std::uint32_t> key;           ///< per slot: the triangle that has it
+  std::vector<std::uint32_t> clipped;       ///< slots of triangles that had to be clipped
+  std::vector<std::uint32_t> table;         ///< hash table from key to slot
+  std::vector<std::int32_t> slot_of_plane;  ///< per plane of undisputed blocks; −1: none yet
+  std::vector<float> record;                ///< per slot
+  std::vector<ShadedTriangle> triangle;     ///< per slot
+  bool likely_constant = false;             ///< the last triangles set up were
+  float fetched;  ///< of no use but that what it was made of had to be read
 };
 
 /// What belongs to one thread, in cache lines of its own.

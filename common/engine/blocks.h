@@ -10,6 +10,12 @@
 namespace rasterlab::RASTERLAB_SIMD {
 
 inline constexpr int groups = 64 / lanes;  // vectors in a block
+inline constexpr std::uint32_t all_lanes = 0xFFFFFFFFU >> (32 - lanes);
+
+/// Those of a vector that begins with bit `first` of the mask.
+inline std::uint32_t lanes_at(BlockMask mask, int first) {
+  return static_cast<std::uint32_t>(mask >> first) & all_lanes;
+}
 
 /// Per pixel of a block, its place.
 struct BlockPlaces {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/engine/framebuffer.h"
+#include "common/engine/undisputed_blocks.h"
 
 #include <array>
 
@@ -17,9 +18,10 @@ struct Tile {
   int height = 0;
   float* depth = nullptr;
   std::uint32_t* key = nullptr;  ///< nullptr: nobody asks which triangle is seen, only how far away
-  float* block_far = nullptr;
-  Rgb8* color = nullptr;      ///< the tile's first pixel in the picture …
-  std::ptrdiff_t stride = 0;  ///< … and how far it is to the next row
+  float* block_far = nullptr;    ///< per block: no pixel's depth is less
+  UndisputedBlocks* undisputed = nullptr;  ///< nullptr: each block has depths and keys
+  Rgb8* color = nullptr;                   ///< the tile's first pixel in the picture …
+  std::ptrdiff_t stride = 0;               ///< … and how far it is to the next row
 
   bool has_keys() const { return key != nullptr; }
   int blocks_per_row() const { return size / 8; }
@@ -33,6 +35,8 @@ struct Tile {
 struct TileMemory {
   static constexpr std::size_t most_pixels = std::size_t{64} * 64;
 
+  UndisputedBlocks undisputed;
+  alignas(64) std::array<float, 64> block_far;
   alignas(64) std::array<float, most_pixels> depth;
   alignas(64) std::array<std::uint32_t, most_pixels> key;
 };
@@ -78,6 +82,7 @@ class FrameAccess {
     Tile there = tile(index);
     there.depth = memory.depth.data();
     there.key = memory.key.data();
+    there.block_far = memory.block_far.data();
     return there;
   }
 
@@ -85,9 +90,14 @@ class FrameAccess {
   void prepare(const Tile& tile) const {
     std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(tile.index)];
     if (drawn != 0) return;
+    drawn = 1;
+    std::fill_n(tile.block_far, tile.block_count(), 0.0F);
+    if (tile.undisputed != nullptr) {
+      tile.undisputed->begin(tile.block_count());
+      return;
+    }
     std::fill_n(tile.depth, tile.pixel_count(), 0.0F);
     if (tile.has_keys()) std::fill_n(tile.key, tile.pixel_count(), 0U);
-    drawn = 1;
   }
 
   std::uint8_t& color_state(int index) const {

@@ -13,9 +13,6 @@
 
 namespace rasterlab {
 
-/// Which pixels of 64 (a block of 8×8, row by row, the first in the lowest bit).
-using BlockMask = std::uint64_t;
-
 struct DrawJob;
 
 /// What is compiled once per instruction set and shader.
@@ -45,6 +42,8 @@ struct DrawJob {
   bool wants_depth_only() const {
     return shading == nullptr && keep != Keep::everything && skip.unwanted_depth;
   }
+  /// Whether pixels need no depth where triangles don't compete for them (undisputed_blocks.h).
+  bool spares_undisputed_blocks() const { return skip.undisputed_blocks && !discards(); }
   bool discards() const { return shading != nullptr && shading->not_discarded != nullptr; }
 };
 
@@ -64,7 +63,7 @@ struct EngineKernels {
   /// Draws the depth and keys of what all workers put into one tile's bins.
   void (*draw_tile)(const DrawJob& job, const Tile& tile, std::span<Worker> workers,
                     Worker& worker);
-  /// Copies a tile's depths to where nothing needs them soon.
+  /// Writes a tile's depths to where nothing needs them soon.
   void (*write_depth)(const Tile& tile, float* depth);
 };
 

@@ -2,14 +2,9 @@
 // out, blocks wholly inside ask no edge.
 #pragma once
 
-#include "common/engine/blocks.h"
+#include "common/engine/plane_depths.h"
 
 namespace rasterlab::RASTERLAB_SIMD {
-
-/// A way in a tile.
-struct PixelOffset {
-  int x, y;
-};
 
 /// An edge function over one tile of at most 64×64 pixels.
 ///
@@ -46,37 +41,28 @@ struct TileEdge {
     test_y = asks ? step_y : 0;
   }
 
-  std::int64_t at(int x, int y) const { return exact + change({x, y}); }
-  std::int64_t change(PixelOffset way) const {
-    return 256 *
-           (static_cast<std::int64_t>(step_x) * way.x + static_cast<std::int64_t>(step_y) * way.y);
-  }
   /// Of the divided function.
-  std::int32_t test_at(int x, int y) const { return divided + test_change({x, y}); }
+  std::int32_t test_at(PixelOffset place) const { return divided + test_change(place); }
   std::int32_t test_change(PixelOffset way) const { return test_x * way.x + test_y * way.y; }
 };
 
-/// From edge functions 1 and 2 to depth.
-struct DepthSlopes {
-  Number d0, k1, k2;
-  /// Twice the area is below 2^31, and so are edge functions inside: 32 bits hold them there,
-  /// however often they have overflown on the way.
-  bool is_short;
-
-  DepthSlopes() = default;
-  DepthSlopes(const LargeTriangle& t, const TileEdge& edge0) {
-    const auto area = static_cast<double>(edge0.step_y) * (t.y[0] - t.y[1]) +
-                      static_cast<double>(edge0.step_x) * (t.x[0] - t.x[1]);
-    const double inverse = 1.0 / area;
-    const double depth0 = t.depth[0];
-    d0 = Number(t.depth[0]);
-    k1 = Number(static_cast<float>((t.depth[1] - depth0) * inverse));
-    k2 = Number(static_cast<float>((t.depth[2] - depth0) * inverse));
-    is_short = area < 2147483648.0;
-  }
-
-  Number depth(Number e1, Number e2) const { return d0 + (e1 * k1 + e2 * k2); }
-};
+inline DepthPlane plane_of(const LargeTriangle& t, const std::array<TileEdge, 3>& edges) {
+  const auto area = static_cast<double>(edges[0].step_y) * (t.y[0] - t.y[1]) +
+                    static_cast<double>(edges[0].step_x) * (t.x[0] - t.x[1]);
+  const double inverse = 1.0 / area;
+  const double depth0 = t.depth[0];
+  const auto edge = [&](std::size_t i) {
+    return DepthPlane::Edge{edges[i].exact, edges[i].step_x, edges[i].step_y};
+  };
+  return {.key = t.key,
+          // Inside, edge functions are at most twice the area: 32 bits hold them there, however
+          // often they have overflown on the way.
+          .is_short = area < 2147483648.0,
+          .d0 = t.depth[0],
+          .k1 = static_cast<float>((t.depth[1] - depth0) * inverse),
+          .k2 = static_cast<float>((t.depth[2] - depth0) * inverse),
+          .edge = {edge(1), edge(2)}};
+}
 
 /// Blocks in which a triangle may be seen.
 inline BlockMask open_blocks(const DrawJob& job, const Tile& tile, const LargeTriangle& t,
@@ -94,7 +80,11 @@ class LargeDrawing {
  public:
   /// Draws into the blocks `open`, at least one.
   LargeDrawing(const DrawJob& job, const Tile& tile, const LargeTriangle& triangle, BlockMask open)
-      : job_(job), tile_(tile), triangle_(triangle), open_(open) {
+      : job_(job),
+        tile_(tile),
+        triangle_(triangle),
+        key_(static_cast<std::int32_t>(triangle.key)),
+        open_(open) {
     for (std::size_t i = 0; i < 3; ++i) edge_[i] = TileEdge(triangle, i, tile);
   }
 
@@ -103,37 +93,32 @@ class LargeDrawing {
   void draw(Worker& worker) {
     find_blocks();
     if (touched_ == 0) return;
-    prepare_depth();
+    const DepthPlane plane = plane_of(triangle_, edge_);
+    depths_ = PlaneDepths(plane);
     if ((touched_ & ~inside_) != 0) prepare_coverage();
-    for (BlockMask rest = touched_; rest != 0; rest &= rest - 1) {
-      const int block = std::countr_zero(rest);
+    if (tile_.undisputed != nullptr) touched_ &= ~add_to_undisputed(plane);
+    give_pixels(tile_, touched_);
+    for_each_block(touched_, [&](int block) {
       if ((inside_ >> block & 1U) != 0) {
         draw_block<true>(block, worker);
       } else {
         draw_block<false>(block, worker);
       }
-    }
+    });
   }
 
  private:
   /// Which blocks may have a covered pixel, which are covered wholly.
   void find_blocks() {
-    const int per_row = tile_.blocks_per_row();
-    const Ints column_mask(per_row - 1);
     const int first_block = std::countr_zero(open_) / lanes * lanes;
     const int last_block = 64 - std::countl_zero(open_);
     for (int first = first_block; first < last_block; first += lanes) {
       const auto open = static_cast<std::uint32_t>(open_ >> first);
-      const Ints block = iota(first);
-      const Ints by = per_row == 8   ? shift_right<3>(block)
-                      : per_row == 4 ? shift_right<2>(block)
-                                     : shift_right<1>(block);
-      const Ints x = shift_left<3>(block & column_mask);
-      const Ints y = shift_left<3>(by);
+      const BlockCorners at_block(tile_, first);
       Ints best(0);   // negative: outside an edge
       Ints worst(0);  // negative: not wholly inside
       for (const TileEdge& e : edge_) {
-        const Ints at = Ints(e.divided) + x * Ints(e.test_x) + y * Ints(e.test_y);
+        const Ints at = Ints(e.divided) + at_block.x * Ints(e.test_x) + at_block.y * Ints(e.test_y);
         best = best | (at + Ints(7 * (std::max(e.test_x, 0) + std::max(e.test_y, 0))));
         worst = worst | (at + Ints(7 * (std::min(e.test_x, 0) + std::min(e.test_y, 0))));
       }
@@ -143,119 +128,145 @@ class LargeDrawing {
     }
   }
 
-  void prepare_depth() {
-    slopes_ = DepthSlopes(triangle_, edge_[0]);
-    if (slopes_.is_short) {
-      const Ints x = load(places.x.data());
-      const Ints y = load(places.y.data());
-      short1_ = shift_left<8>(x * Ints(edge_[1].step_x) + y * Ints(edge_[1].step_y));
-      short2_ = shift_left<8>(x * Ints(edge_[2].step_x) + y * Ints(edge_[2].step_y));
-      return;
-    }
-    const Doubles x = to_doubles(load(places.x.data())) * Doubles(256);
-    const Doubles y = to_doubles(load(places.y.data())) * Doubles(256);
-    offset1_ = x * Doubles(edge_[1].step_x) + y * Doubles(edge_[1].step_y);
-    offset2_ = x * Doubles(edge_[2].step_x) + y * Doubles(edge_[2].step_y);
-  }
-
   void prepare_coverage() {
-    const Ints x = load(places.x.data());
-    const Ints y = load(places.y.data());
     for (std::size_t i = 0; i < 3; ++i) {
-      coverage_[i] = x * Ints(edge_[i].test_x) + y * Ints(edge_[i].test_y);
+      const TileEdge& edge = edge_[i];
+      coverage_[i] = BlockSteps<Ints>(
+          [&](PixelOffset way) { return edge.test_change(way); },
+          load(places.x.data()) * Ints(edge.test_x) + load(places.y.data()) * Ints(edge.test_y));
     }
   }
 
-  /// Where in a block its vector `g` begins.
-  static constexpr PixelOffset first_of(std::size_t g) {
-    const int pixel = static_cast<int>(g) * lanes;
-    return {pixel % 8, pixel / 8};
+  /// Draws into the undisputed blocks that stay so. Returns which needn't be drawn into any more.
+  BlockMask add_to_undisputed(const DepthPlane& plane) const {
+    UndisputedBlocks& undisputed = *tile_.undisputed;
+    const BlockMask blocks = touched_ & undisputed.mask();
+    const DepthBounds bounds = bounds_of(triangle_.depth);
+    if (blocks == 0 || bounds.far <= 0) return 0;
+    alignas(64) std::array<float, 64> far;
+    alignas(64) std::array<float, 64> near;
+    bound_whole_blocks(blocks & inside_, far.data(), near.data());
+    const std::int32_t number = undisputed.add_plane(plane);
+    BlockMask done = 0;
+    for_each_block(blocks, [&](int block) {
+      const auto b = static_cast<std::size_t>(block);
+      const bool whole = (inside_ >> block & 1U) != 0;
+      const BlockMask pixels = whole ? all_pixels : covered_pixels(block);
+      const DepthBounds depths = whole ? DepthBounds{far[b], near[b]} : bounds;
+      if (pixels == 0 || undisputed.add(block, pixels, depths, number, tile_.block_far[block])) {
+        done |= BlockMask{1} << block;
+      }
+    });
+    return done;
+  }
+
+  void bound_whole_blocks(BlockMask blocks, float* far, float* near) const {
+    for (int first = 0; first < tile_.block_count(); first += lanes) {
+      if (lanes_at(blocks, first) == 0) continue;
+      const BlockCorners corners(tile_, first);
+      const auto bounds = depths_.in_blocks(corners.x, corners.y);
+      store(bounds.far, far + first);
+      store(bounds.near, near + first);
+    }
+  }
+
+  /// Which of a block's pixels are covered, vector by vector.
+  struct CoverageWalk {
+    const std::array<BlockSteps<Ints>, 3>& steps;
+    std::array<Ints, 3> test;
+
+    Truth covered() const { return (test[0] | test[1] | test[2]) >= Ints(0); }
+    /// From vector `g` to the next.
+    void move_on(int g) {
+      for (std::size_t i = 0; i < 3; ++i) test[i] = steps[i].after(g, test[i]);
+    }
+  };
+
+  CoverageWalk coverage_in(int block) const {
+    const PixelOffset corner = place_of_block(tile_, block);
+    CoverageWalk walk = {coverage_, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      walk.test[i] = Ints(edge_[i].test_at(corner)) + coverage_[i].first;
+    }
+    return walk;
+  }
+
+  BlockMask covered_pixels(int block) const {
+    CoverageWalk walk = coverage_in(block);
+    BlockMask pixels = 0;
+    for (int g = 0; g < groups; ++g) {
+      pixels |= BlockMask{bits(walk.covered())} << (g * lanes);
+      walk.move_on(g);
+    }
+    return pixels;
+  }
+
+  /// Calls `visit(place, covered, depth)` for each vector of a block's pixels, `place` being its
+  /// own in the tile's arrays.
+  template <bool whole, class Visit>
+  void for_each_vector(int block, const Visit& visit) const {
+    const PixelOffset corner = place_of_block(tile_, block);
+    if constexpr (whole) {
+      const Truth covered = Ints(0) == Ints(0);
+      depths_.for_each_vector(
+          corner, [&](int g, Number depth) { visit(block * 64 + g * lanes, covered, depth); });
+    } else {
+      CoverageWalk walk = coverage_in(block);
+      depths_.for_each_vector(corner, [&](int g, Number depth) {
+        visit(block * 64 + g * lanes, walk.covered(), depth);
+        walk.move_on(g);
+      });
+    }
+  }
+
+  Truth is_nearer(int place, Truth covered, Number depth) const {
+    const Number old_depth = load(tile_.depth + place);
+    Truth nearer = depth > old_depth;
+    if (tile_.has_keys()) {
+      nearer = nearer || (depth == old_depth && key_ < load(tile_.key + place));
+    }
+    return nearer && covered;
   }
 
   template <bool whole>
   void draw_block(int block, Worker& worker) {
-    const int x = block % tile_.blocks_per_row() * 8;
-    const int y = block / tile_.blocks_per_row() * 8;
-    const std::int64_t first1 = edge_[1].at(x, y);
-    const std::int64_t first2 = edge_[2].at(x, y);
-    const auto depth_of = [&](std::size_t g) {
-      const std::int64_t e1 = first1 + edge_[1].change(first_of(g));
-      const std::int64_t e2 = first2 + edge_[2].change(first_of(g));
-      if (slopes_.is_short) {
-        return slopes_.depth(as_numbers(Ints(static_cast<std::int32_t>(e1)) + short1_),
-                             as_numbers(Ints(static_cast<std::int32_t>(e2)) + short2_));
-      }
-      return slopes_.depth(to_number(Doubles(static_cast<double>(e1)) + offset1_),
-                           to_number(Doubles(static_cast<double>(e2)) + offset2_));
-    };
-    std::array<std::int32_t, 3> first_test;
-    for (std::size_t i = 0; i < 3; ++i) first_test[i] = edge_[i].test_at(x, y);
-    const auto covered_in = [&](std::size_t g) {
-      const auto outside = [&](std::size_t i) {
-        return Ints(first_test[i] + edge_[i].test_change(first_of(g))) + coverage_[i];
-      };
-      return (outside(0) | outside(1) | outside(2)) >= Ints(0);
-    };
-    float* depth_there = tile_.depth + block * 64;
-    std::uint32_t* key_there = tile_.has_keys() ? tile_.key + block * 64 : nullptr;
-    const Ints key(static_cast<std::int32_t>(triangle_.key));
-    const auto nearer_in = [&](std::size_t g, Number depth, Number old_depth) {
-      Truth nearer = depth > old_depth;
-      if (key_there != nullptr) {
-        nearer = nearer || (depth == old_depth && key < load(key_there + g * lanes));
-      }
-      if constexpr (whole) return nearer;
-      return nearer && covered_in(g);
-    };
-    BlockMask kept = ~BlockMask{0};
-    if (job_.discards()) {
-      kept = 0;
-      for (std::size_t g = 0; g < groups; ++g) {
-        const Truth nearer = nearer_in(g, depth_of(g), load(depth_there + g * lanes));
-        kept |= static_cast<BlockMask>(bits(nearer)) << (g * lanes);
-      }
-      kept = job_.shading->not_discarded(job_, triangle_.key, tile_.left + x, tile_.top + y, kept,
-                                         worker);
-    }
+    const BlockMask kept = job_.discards() ? not_discarded<whole>(block, worker) : ~BlockMask{0};
     Number far(3.4e38F);
-    for (std::size_t g = 0; g < groups; ++g) {
-      const Number old_depth = load(depth_there + g * lanes);
-      if constexpr (!whole) {
-        // Thin triangles miss most of the blocks they cross.
-        if (!any(covered_in(g))) {
-          far = minimum(far, old_depth);
-          continue;
-        }
-      }
-      const Number depth = depth_of(g);
-      Truth nearer = nearer_in(g, depth, old_depth);
-      if (kept != ~BlockMask{0}) {
-        nearer = nearer && truth_of(static_cast<std::uint32_t>(kept >> (g * lanes)));
-      }
-      const Number new_depth = select(nearer, depth, old_depth);
-      store(new_depth, depth_there + g * lanes);
-      if (key_there != nullptr) {
-        store(select(nearer, key, load(key_there + g * lanes)), key_there + g * lanes);
+    for_each_vector<whole>(block, [&](int place, Truth covered, Number depth) {
+      Truth nearer = is_nearer(place, covered, depth);
+      if (kept != ~BlockMask{0}) nearer = nearer && truth_of(lanes_at(kept, place & 63));
+      const Number new_depth = select(nearer, depth, load(tile_.depth + place));
+      store(new_depth, tile_.depth + place);
+      if (tile_.has_keys()) {
+        store(select(nearer, key_, load(tile_.key + place)), tile_.key + place);
       }
       far = minimum(far, new_depth);
-    }
+    });
     tile_.block_far[block] = smallest(far);
+  }
+
+  /// Of the pixels that would be seen.
+  template <bool whole>
+  BlockMask not_discarded(int block, Worker& worker) const {
+    BlockMask seen = 0;
+    for_each_vector<whole>(block, [&](int place, Truth covered, Number depth) {
+      seen |= BlockMask{bits(is_nearer(place, covered, depth))} << (place & 63);
+    });
+    const PixelOffset corner = place_of_block(tile_, block);
+    return job_.shading->not_discarded(job_, triangle_.key, tile_.left + corner.x,
+                                       tile_.top + corner.y, seen, worker);
   }
 
   const DrawJob& job_;
   const Tile& tile_;
   const LargeTriangle& triangle_;
+  Ints key_;
   std::array<TileEdge, 3> edge_;
   BlockMask open_;
   BlockMask touched_ = 0;
   BlockMask inside_ = 0;
-  DepthSlopes slopes_;
-  // Of the edge functions, over the lanes of a block's first vector.
-  Doubles offset1_;
-  Doubles offset2_;
-  Ints short1_;
-  Ints short2_;
-  std::array<Ints, 3> coverage_;
+  PlaneDepths depths_;
+  std::array<BlockSteps<Ints>, 3> coverage_;
 };
 
 }  // namespace rasterlab::RASTERLAB_SIMD

@@ -2,8 +2,8 @@
 // the other, in blocks of 8×8 pixels. Their edge functions fit 32 bits in all the tile.
 #pragma once
 
-#include "common/engine/blocks.h"
 #include "common/engine/lane_triangles.h"
+#include "common/engine/plane_depths.h"
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -17,7 +17,7 @@ struct MediumLanes {
   std::array<Values, 3> step_x;
   std::array<Values, 3> step_y;
   Values left, right, top, bottom;
-  Numbers d0, k1, k2, nearest;
+  Numbers d0, k1, k2, nearest, farthest;
 
   MediumLanes(const PackedTriangles& triangles, int from, const Tile& tile) {
     const LaneCorners corners = unpack_corners(triangles, from);
@@ -38,6 +38,7 @@ struct MediumLanes {
     store(depth.k1, k1.data());
     store(depth.k2, k2.data());
     store(depth.nearest, nearest.data());
+    store(depth.farthest, farthest.data());
   }
 };
 
@@ -51,23 +52,31 @@ class MediumTriangle {
         top_(t.top[lane]),
         bottom_(t.bottom[lane]),
         key_(static_cast<std::int32_t>(key)),
-        d0_(t.d0[lane]),
-        k1_(t.k1[lane]),
-        k2_(t.k2[lane]) {
+        bounds_{t.farthest[lane], t.nearest[lane]},
+        plane_{.key = key,
+               .is_short = true,
+               .d0 = t.d0[lane],
+               .k1 = t.k1[lane],
+               .k2 = t.k2[lane],
+               .edge = {plane_edge(t, lane, 1), plane_edge(t, lane, 2)}},
+        d0_(plane_.d0),
+        k1_(plane_.k1),
+        k2_(plane_.k2) {
     const Ints x = load(places.x.data());
     const Ints y = load(places.y.data());
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t step_x = t.step_x[i][lane];
       const std::int32_t step_y = t.step_y[i][lane];
       edge_[i] = {t.value[i][lane], step_x, step_y, 7 * (std::max(step_x, 0) + std::max(step_y, 0)),
-                  x * Ints(step_x) + y * Ints(step_y)};
+                  BlockSteps<Ints>([&](PixelOffset way) { return way.x * step_x + way.y * step_y; },
+                                   x * Ints(step_x) + y * Ints(step_y))};
     }
     lessened1_ = Ints(t.lessened[1][lane]);
     lessened2_ = Ints(t.lessened[2][lane]);
   }
 
   /// Returns which of the blocks, all within its bounds, it was drawn into.
-  BlockMask draw(BlockMask blocks) const {
+  BlockMask draw(BlockMask blocks) {
     BlockMask drawn = 0;
     for (int y = top_ & ~7; y <= bottom_; y += 8) {
       std::array<std::int32_t, 3> value = values_at(left_ & ~7, y);
@@ -86,8 +95,13 @@ class MediumTriangle {
   struct Edge {
     std::int32_t value, step_x, step_y;
     std::int32_t to_best;  ///< from a block's first pixel to where in it the function is largest
-    Ints offset;           ///< to the pixels of a block's first vector
+    BlockSteps<Ints> steps;
   };
+
+  static DepthPlane::Edge plane_edge(const MediumLanes& t, std::size_t lane, std::size_t i) {
+    return {t.value[i][lane] + t.lessened[i][lane], t.step_x[i][lane] / 256,
+            t.step_y[i][lane] / 256};
+  }
 
   std::array<std::int32_t, 3> values_at(int x, int y) const {
     std::array<std::int32_t, 3> value;
@@ -103,25 +117,49 @@ class MediumTriangle {
             (value[2] + edge_[2].to_best)) >= 0;
   }
 
-  /// False when it covers none of the block's pixels.
-  bool draw_block(int block, int y, const std::array<std::int32_t, 3>& value) const {
+  /// Calls `visit(g, covered, edges)` for the vectors of a block that may have a covered pixel.
+  template <class Visit>
+  void for_each_vector(int y, const std::array<std::int32_t, 3>& value, const Visit& visit) const {
     const int first = std::max(top_ - y, 0) * 8 / lanes;
     const int last = (std::min(bottom_ - y, 7) * 8 + 7) / lanes;
-    bool drawn = false;
+    std::array<Ints, 3> e;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Edge& edge = edge_[i];
+      const std::int32_t change = first * lanes % 8 * edge.step_x + first * lanes / 8 * edge.step_y;
+      e[i] = Ints(value[i] + change) + edge.steps.first;
+    }
     for (int g = first; g <= last; ++g) {
-      std::array<Ints, 3> e;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::int32_t change =
-            g * lanes % 8 * edge_[i].step_x + g * lanes / 8 * edge_[i].step_y;
-        e[i] = Ints(value[i] + change) + edge_[i].offset;
-      }
-      const Truth covered = (e[0] | e[1] | e[2]) >= Ints(0);
-      if (!any(covered)) continue;
+      visit(g, (e[0] | e[1] | e[2]) >= Ints(0), e);
+      for (std::size_t i = 0; i < 3; ++i) e[i] = edge_[i].steps.after(g, e[i]);
+    }
+  }
+
+  /// False when none of its pixels are given a depth.
+  bool draw_block(int block, int y, const std::array<std::int32_t, 3>& value) {
+    if (tile_.undisputed != nullptr && tile_.undisputed->has(block)) {
+      if (add_to_undisputed(block, y, value)) return false;
+      give_pixels(tile_, BlockMask{1} << block);
+    }
+    bool drawn = false;
+    for_each_vector(y, value, [&](int g, Truth covered, const std::array<Ints, 3>& e) {
+      if (!any(covered)) return;
       drawn = true;
       write(block * 64 + g * lanes, covered,
             d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_));
-    }
+    });
     return drawn;
+  }
+
+  /// True when there is nothing more to do.
+  bool add_to_undisputed(int block, int y, const std::array<std::int32_t, 3>& value) {
+    BlockMask pixels = 0;
+    for_each_vector(y, value, [&](int g, Truth covered, const std::array<Ints, 3>&) {
+      pixels |= BlockMask{bits(covered)} << (g * lanes);
+    });
+    if (pixels == 0) return true;
+    if (bounds_.far <= 0) return false;
+    if (plane_number_ < 0) plane_number_ = tile_.undisputed->add_plane(plane_);
+    return tile_.undisputed->add(block, pixels, bounds_, plane_number_, tile_.block_far[block]);
   }
 
   /// Where it is nearer, `place` being a vector's in the tile's arrays.
@@ -140,6 +178,9 @@ class MediumTriangle {
   const Tile& tile_;
   int left_, right_, top_, bottom_;
   Ints key_;
+  DepthBounds bounds_;
+  DepthPlane plane_;
+  std::int32_t plane_number_ = -1;  ///< of the tile's undisputed blocks
   Number d0_, k1_, k2_;
   std::array<Edge, 3> edge_;
   Ints lessened1_, lessened2_;

@@ -175,6 +175,9 @@ class Drawing {
   Tile tile_to_draw(int index, bool passing, Worker& worker) const {
     Tile tile = passing ? job_.frame.tile_in(worker.passing_tile, index) : job_.frame.tile(index);
     if (job_.wants_depth_only()) tile.key = nullptr;
+    if (passing && job_.spares_undisputed_blocks()) {
+      tile.undisputed = &worker.passing_tile.undisputed;
+    }
     return tile;
   }
 
@@ -200,6 +203,9 @@ class Drawing {
   /// What of a passing tile is wanted goes to the framebuffer.
   void leave(const Tile& tile, Worker& worker) {
     ++worker.statistics.tiles_not_kept;
+    if (tile.undisputed != nullptr) {
+      worker.statistics.blocks_undisputed += static_cast<unsigned>(tile.undisputed->count());
+    }
     if (job_.keep != Keep::depth) return;
     kernels_.write_depth(tile, job_.frame.tile(tile.index).depth);
   }

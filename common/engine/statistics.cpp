@@ -12,7 +12,7 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 18> fields = {{
+constexpr std::array<Field, 19> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
     {"clusters_facing_away", &Statistics::clusters_facing_away},
@@ -29,6 +29,7 @@ constexpr std::array<Field, 18> fields = {{
     {"tiles_drawn", &Statistics::tiles_drawn},
     {"tiles_untouched", &Statistics::tiles_untouched},
     {"tiles_not_kept", &Statistics::tiles_not_kept},
+    {"blocks_undisputed", &Statistics::blocks_undisputed},
     {"pixels_shaded", &Statistics::pixels_shaded},
     {"triangles_shaded", &Statistics::triangles_shaded},
 }};

@@ -26,6 +26,8 @@ struct Statistics {
   std::uint64_t tiles_drawn = 0;
   std::uint64_t tiles_untouched = 0;
   std::uint64_t tiles_not_kept = 0;  ///< drawn, without their depth ever being in memory
+  std::uint64_t blocks_undisputed =
+      0;  ///< 8×8 pixels seen without there ever being a depth for each
   std::uint64_t pixels_shaded = 0;
   std::uint64_t triangles_shaded = 0;  ///< for which vertex() was called, once per tile
   double milliseconds = 0;

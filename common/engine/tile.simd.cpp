@@ -67,6 +67,8 @@ void draw_slivers(const Tile& tile, std::span<Worker> workers, Worker& worker, H
     }
   });
   find_in_tile(slivers, tile, worker.thin_sorted);
+  if (worker.thin_sorted.empty()) return;
+  give_pixels(tile, ~BlockMask{0});
   if (!tile.has_keys() || worker.thin_sorted.size() < enough_for_words) {
     draw_thin(tile, worker.thin_sorted, [&](std::int32_t place, std::int64_t word) {
       hits.write_one(place, depth_of_word(word), key_of_word(word));
@@ -92,7 +94,7 @@ void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, 
   for_each_chunk(workers, index, larges, [&](const LargeTriangles& chunk) {
     for (int i = 0; i < chunk.count; ++i) {
       const LargeTriangle& t = *chunk.triangle[static_cast<std::size_t>(i)];
-      large.push_back({nearest_of(t), &t});
+      large.push_back({bounds_of(t.depth).near, &t});
     }
   });
   draw_large(job, tile, large, worker);
@@ -105,6 +107,7 @@ void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, 
   draw_slivers(tile, workers, worker, hits);
   const auto smalls = [](const TileBin& bin) { return bin.small; };
   for_each_chunk(workers, index, smalls, [&](const PackedTriangles& chunk) {
+    give_pixels(tile, ~BlockMask{0});
     draw_small(tile, chunk, skip_hidden, hits);
     update_far(tile, hits.take_written_blocks());
   });
@@ -112,8 +115,31 @@ void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, 
       *std::min_element(tile.block_far, tile.block_far + tile.block_count());
 }
 
+namespace {
+
+/// Of a block that shows nothing but one triangle, and has no depths; else nullptr.
+const DepthPlane* only_plane(const Tile& tile, int block) {
+  if (tile.undisputed == nullptr || !tile.undisputed->has(block)) return nullptr;
+  const auto parts = tile.undisputed->parts(block);
+  if (parts.size() != 1 || parts[0].pixels != all_pixels) return nullptr;
+  return &tile.undisputed->plane_of(parts[0]);
+}
+
+}  // namespace
+
 void write_depth(const Tile& tile, float* depth) {
-  for (int i = 0; i < tile.pixel_count(); i += lanes) stream(load(tile.depth + i), depth + i);
+  for (int block = 0; block < tile.block_count(); ++block) {
+    float* to = depth + block * 64;
+    if (const DepthPlane* plane = only_plane(tile, block)) {
+      PlaneDepths(*plane).for_each_vector(place_of_block(tile, block),
+                                          [&](int g, Number own) { stream(own, to + g * lanes); });
+      continue;
+    }
+    give_pixels(tile, BlockMask{1} << block);
+    for (int pixel = 0; pixel < 64; pixel += lanes) {
+      stream(load(tile.depth + block * 64 + pixel), to + pixel);
+    }
+  }
   finish_streaming();
 }
 

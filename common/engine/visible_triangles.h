@@ -15,7 +15,7 @@
 //   corner 1; of each, how much at corner 2.
 #pragma once
 
-#include "common/engine/kernels.h"
+#include "common/engine/blocks.h"
 #include "common/engine/window_vertex.h"
 
 #include <span>
@@ -73,12 +73,6 @@ struct Edges {
     return {to_number(q1 * inverse), to_number(q2 * inverse), to_number(inverse)};
   }
 };
-
-inline constexpr std::uint32_t all_lanes = 0xFFFFFFFFU >> (32 - lanes);
-
-inline std::uint32_t lanes_at(BlockMask mask, int first) {
-  return static_cast<std::uint32_t>(mask >> first) & all_lanes;
-}
 
 /// The weights of a block's pixels. They are computed ahead for all of them: a division of doubles
 /// takes long, and so many can be on their way at once, none of them waited for by a shader.
@@ -165,6 +159,7 @@ class VisibleTriangles {
     return scratch_.record.data() + slot * static_cast<std::size_t>(varyings_.record_size());
   }
   void collect();
+  void collect_undisputed(int block);
   void collect_block(int block);
   BlockMask inside(int block) const;
   std::int32_t slot_of(std::uint32_t key);

@@ -63,9 +63,26 @@ void VisibleTriangles::collect() {
   scratch_.key.clear();
   scratch_.part.clear();
   scratch_.parts_end.resize(blocks);
+  if (tile_.undisputed != nullptr) {
+    scratch_.slot_of_plane.assign(tile_.undisputed->planes().size(), -1);
+  }
   for (std::size_t block = 0; block < blocks; ++block) {
-    collect_block(static_cast<int>(block));
+    if (tile_.undisputed != nullptr && tile_.undisputed->has(static_cast<int>(block))) {
+      collect_undisputed(static_cast<int>(block));
+    } else {
+      collect_block(static_cast<int>(block));
+    }
     scratch_.parts_end[block] = static_cast<std::uint32_t>(scratch_.part.size());
+  }
+}
+
+void VisibleTriangles::collect_undisputed(int block) {
+  const BlockMask in_picture = inside(block);
+  for (const UndisputedBlocks::Part& part : tile_.undisputed->parts(block)) {
+    if ((part.pixels & in_picture) == 0) continue;
+    std::int32_t& slot = scratch_.slot_of_plane[static_cast<std::size_t>(part.plane)];
+    if (slot < 0) slot = slot_of(tile_.undisputed->plane_of(part).key);
+    scratch_.part.push_back({part.pixels & in_picture, slot});
   }
 }
 

@@ -79,6 +79,25 @@ Mesh slivers() {
   return mesh;
 }
 
+/// Triangles of any size up to the picture's, which cut each other, and some twice: blocks that one
+/// has, that several share, and that several compete for.
+Mesh crossing_triangles() {
+  std::mt19937 random(5);
+  const auto number = [&random] { return static_cast<float>(random() >> 8U) / 8388608.0F - 1; };
+  const auto place = [&] { return Eigen::Vector3f(number(), number(), number()); };
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 120; ++i) {
+    const float size = i % 3 == 0 ? 1.0F : 0.2F;
+    const Eigen::Vector3f center = place();
+    for (int corner = 0; corner < 3; ++corner) {
+      mesh.positions.push_back(center + size * place());
+      mesh.normals.push_back(place().normalized());
+    }
+    mesh.triangles.insert(mesh.triangles.end(), i % 4 == 0 ? 2 : 1, {3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return mesh;
+}
+
 class engine_same_bytes : public testing::TestWithParam<float> {
  protected:
   template <class Shader>
@@ -87,8 +106,12 @@ class engine_same_bytes : public testing::TestWithParam<float> {
       SCOPED_TRACE(shape);
       check<Shader>(make_shape(shape));
     }
-    SCOPED_TRACE("slivers");
-    check<Shader>(slivers());
+    {
+      SCOPED_TRACE("slivers");
+      check<Shader>(slivers());
+    }
+    SCOPED_TRACE("crossing triangles");
+    check<Shader>(crossing_triangles());
   }
 
   template <class Shader>
@@ -105,7 +128,7 @@ class engine_same_bytes : public testing::TestWithParam<float> {
       }
     }
     EXPECT_EQ(draw<Shader>(mesh, {.threads = 1}, 64, distance), expected);
-    const Skips nothing = {false, false, false, false, false, false};
+    const Skips nothing = {false, false, false, false, false, false, false};
     EXPECT_EQ(draw<Shader>(mesh, {.skip = nothing}, 64, distance), expected);
     for (const int by : {1, 2}) {
       EXPECT_EQ(draw<Shader>(rotated_corners(mesh, by), {}, 64, distance), expected)
@@ -159,6 +182,43 @@ TEST_P(engine_same_bytes, depth_alone) {
     for (const SimdTarget simd : supported_simd_targets()) {
       EXPECT_EQ(depth_kept(Keep::depth, simd), expected) << name_of(simd);
     }
+  }
+}
+
+/// Blocks that no two triangles compete for have no depths, and show and keep the same.
+TEST_P(engine_same_bytes, undisputed_blocks) {
+  const auto check = [](const Mesh& plain) {
+    const PreparedMesh mesh(plain);
+    const BusyShader shader;
+    std::uint64_t undisputed = 0;
+    const auto kept = [&](Keep keep, const EngineOptions& options, int tile_size) {
+      Framebuffer frame(333, 251, tile_size);
+      const Statistics done = Renderer(options).draw({.mesh = &mesh,
+                                                      .matrix = perspective_from(GetParam()),
+                                                      .shading = shading(shader),
+                                                      .keep = keep},
+                                                     frame);
+      undisputed += done.blocks_undisputed;
+      return frame;
+    };
+    const Framebuffer expected = kept(Keep::everything, {.simd = SimdTarget::scalar}, 64);
+    EXPECT_EQ(undisputed, 0U);
+    for (const SimdTarget simd : supported_simd_targets()) {
+      SCOPED_TRACE(name_of(simd));
+      for (const int tile_size : {16, 32, 64}) {
+        EXPECT_EQ(kept(Keep::color, {.simd = simd}, tile_size).color(), expected.color());
+        EXPECT_EQ(kept(Keep::depth, {.simd = simd}, tile_size).depth(), expected.depth());
+      }
+      EXPECT_GT(std::exchange(undisputed, 0), 0U);
+    }
+    const EngineOptions without = {.skip = {.undisputed_blocks = false}};
+    EXPECT_EQ(kept(Keep::color, without, 64).color(), expected.color());
+    EXPECT_EQ(undisputed, 0U);
+  };
+  check(crossing_triangles());
+  for (const char* shape : {"uv_sphere:8", "wall:1"}) {
+    SCOPED_TRACE(shape);
+    check(make_shape(shape));
   }
 }
 
