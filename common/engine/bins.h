@@ -3,6 +3,7 @@
 
 #include "common/engine/frame_access.h"
 #include "common/engine/huge_pages.h"
+#include "common/engine/scattered_pixels.h"
 #include "common/engine/statistics.h"
 
 #include <algorithm>
@@ -169,6 +170,8 @@ struct ShadingScratch {
   std::vector<std::int32_t> slot_of_plane;  ///< per plane of undisputed blocks; −1: none yet
   std::vector<float> record;                ///< per slot
   std::vector<ShadedTriangle> triangle;     ///< per slot
+  ScatteredPixels scattered;                ///< of blocks that have no parts
+  bool any_large = false;                   ///< triangles, as ShadedTriangle::is_large
   bool likely_constant = false;             ///< the last triangles set up were
   float fetched;  ///< of no use but that what it was made of had to be read
 };

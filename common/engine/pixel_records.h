@@ -91,4 +91,64 @@ class EachRecord {
   std::uint32_t front_;
 };
 
+/// Pixels see any triangles at all: `word_count` words of each one's record.
+template <int word_count>
+class OwnRecords {
+ public:
+  /// `slot`: of each lane.
+  OwnRecords(const VisibleTriangles& triangles, const std::int32_t* slot)
+      : triangles_(triangles), slot_(slot) {
+    for (std::size_t w = 0; w < word_.size(); w += 4) {
+      load_fours([&](std::size_t lane) { return triangles.record(slot[lane]) + w; }, &word_[w]);
+    }
+  }
+
+  Ints integer(int i) const { return bit_pattern(number(i)); }
+  Number number(int i) const { return word_[static_cast<std::size_t>(i)]; }
+  Truth front_facing() const {
+    std::uint32_t front = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      front |= std::uint32_t{triangles_.triangle(slot_[lane]).front} << lane;
+    }
+    return truth_of(front);
+  }
+
+ private:
+  const VisibleTriangles& triangles_;
+  const std::int32_t* slot_;
+  std::array<Number, (word_count + 3) / 4 * 4> word_;
+};
+
+/// Edge function 1 or 2 of a triangle whose record `words` is, at a pixel of the tile that sees it.
+inline double exact_edge(const ShadedTriangle& triangle, const float* words, int edge, int x,
+                         int y) {
+  const auto integer = [&](int of_1, int of_2) {
+    return std::bit_cast<std::int32_t>(words[edge == 1 ? of_1 : of_2]);
+  };
+  const std::int32_t step_x = integer(word::step1_x, word::step2_x);
+  const std::int32_t step_y = integer(word::step1_y, word::step2_y);
+  if (triangle.is_large) {
+    return triangle.edges[static_cast<std::size_t>(edge - 1)] +
+           256.0 * (static_cast<double>(step_x) * x + static_cast<double>(step_y) * y);
+  }
+  const auto modulo = [](std::int32_t a) { return static_cast<std::uint32_t>(a); };
+  const std::uint32_t steps = modulo(step_x) * modulo(x) + modulo(step_y) * modulo(y);
+  return static_cast<std::int32_t>(modulo(integer(word::edge1, word::edge2)) + 256 * steps);
+}
+inline double exact_twice_area(const ShadedTriangle& triangle, const float* words) {
+  return triangle.is_large ? triangle.edges[2] : std::bit_cast<std::int32_t>(words[word::area]);
+}
+
+/// Both at pixels of the tile, each in the triangle it sees; of large ones anything.
+template <class Record>
+Edges edges_at(const Record& r, Ints x, Ints y) {
+  const auto edge = [&](int at_first, int step_x, int step_y) {
+    return to_doubles(r.integer(at_first) +
+                      shift_left<8>(x * r.integer(step_x) + y * r.integer(step_y)));
+  };
+  const Doubles e1 = edge(word::edge1, word::step1_x, word::step1_y);
+  const Doubles e2 = edge(word::edge2, word::step2_x, word::step2_y);
+  return {to_doubles(r.integer(word::area)) - (e1 + e2), e1, e2};
+}
+
 }  // namespace rasterlab::RASTERLAB_SIMD

@@ -48,6 +48,7 @@ class TileShading {
       triangles_.write_colors(block, colors.packed.data(), colors.mask);
       statistics_.pixels_shaded += static_cast<unsigned>(std::popcount(colors.mask));
     }
+    shade_scattered();
   }
 
   /// For one triangle and a tile of one block: which of the pixels the shader keeps.
@@ -116,6 +117,7 @@ class TileShading {
   }
 
   using Table = RecordTable<corner_varyings.record_size()>;
+  using Own = OwnRecords<corner_varyings.record_size()>;
 
   template <class Record>
   static Number at_0(const Record& r, int i) {
@@ -216,7 +218,7 @@ class TileShading {
           few.second = &record[1];
         }
       }
-      take(shade_pair(&few, nullptr, &weights, first, wanted), wanted, first, colors);
+      take(shade_pair({.few = &few}, &weights, first, wanted), wanted, first, colors);
     }
   }
 
@@ -259,7 +261,7 @@ class TileShading {
       }
       const std::array<SeenByVector, 2> seen = {
           {{&table[0], &numbers[0]}, {&table[high], &numbers[high]}}};
-      take(shade_pair(nullptr, &seen, &weights, first, wanted), wanted, first, colors);
+      take(shade_pair({.many = &seen}, &weights, first, wanted), wanted, first, colors);
     }
   }
 
@@ -293,15 +295,20 @@ class TileShading {
     std::uint32_t is_second;  ///< lanes of the pair
   };
 
-  /// Of `few`, or of any number in two vectors; without weights, of some that are the same all
-  /// over.
-  RASTERLAB_FLATTEN PairColors shade_pair(const OneOrTwo* few,
-                                          const std::array<SeenByVector, 2>* many,
-                                          const WeightsInBlock* weights, int first,
-                                          std::uint32_t wanted) const {
+  /// Or any number of them: those of two tables, or `own`, the slots of each pixel's.
+  struct SeenByPair {
+    const OneOrTwo* few = nullptr;
+    const std::array<SeenByVector, 2>* many = nullptr;
+    const std::int32_t* own = nullptr;
+  };
+
+  /// Without weights, of `own` that are the same all over: seen from the front by the first vector,
+  /// from behind by the second.
+  RASTERLAB_FLATTEN PairColors shade_pair(const SeenByPair& seen, const WeightsInBlock* weights,
+                                          int first, std::uint32_t wanted) const {
     PairColors colors;
     Point<NumberPair> point;
-    if (few != nullptr) {
+    if (const OneOrTwo* few = seen.few; few != nullptr) {
       const PixelWeights low_weights = weights->at(first);
       const PixelWeights high_weights = weights->at(first + lanes);
       if (few->second == nullptr) {
@@ -314,14 +321,19 @@ class TileShading {
         point = join(surface_point(low_weights, one_of_two(few->is_second)),
                      surface_point(high_weights, one_of_two(few->is_second >> lanes)));
       }
+    } else if (seen.many != nullptr) {
+      const EachRecord low = (*seen.many)[0].records(first);
+      const EachRecord high = (*seen.many)[1].records(first + lanes);
+      point = join(surface_point(weights->at(first), low),
+                   surface_point(weights->at(first + lanes), high));
     } else {
-      const EachRecord low = (*many)[0].records(first);
-      const EachRecord high = (*many)[1].records(first + lanes);
+      const Own low(triangles_, seen.own);
+      const Own high(triangles_, seen.own + lanes);
       if (weights != nullptr) {
         point = join(surface_point(weights->at(first), low),
                      surface_point(weights->at(first + lanes), high));
       } else {
-        point = join(constant_point(low), constant_point(high));
+        point = join(constant_point(low, truth_of(all_lanes)), constant_point(high, truth_of(0)));
       }
     }
     const Fragment<NumberPair> fragment = shade(point, wanted);
@@ -346,6 +358,40 @@ class TileShading {
     if (!triangle.is_discarded) colors.kept |= mask;
   }
 
+  // -------------------------------------------------------------------------------------------
+  // Scattered pixels
+
+  void shade_scattered() {
+    ScatteredPixels& pixels = triangles_.scattered();
+    if (pixels.count == 0) return;
+    statistics_.pixels_shaded += pixels.count;
+    triangles_.paint_scattered();
+    for (std::size_t first = 0; first < pixels.count; first += 64) {
+      shade_some_scattered(first, std::min<std::size_t>(64, pixels.count - first), pixels);
+    }
+    for (int block = 0; block < block_count_; ++block) {
+      const auto b = static_cast<std::size_t>(block);
+      triangles_.write_colors(block, pixels.color.data() + 64 * b, pixels.in_block[b]);
+    }
+  }
+
+  void shade_some_scattered(std::size_t first, std::size_t count, ScatteredPixels& pixels) const {
+    WeightsInBlock weights;
+    triangles_.weigh_scattered(first, weights);
+    for (std::size_t i = 0; i < count; i += 2 * lanes) {
+      const std::size_t pair = std::min<std::size_t>(2 * lanes, count - i);
+      const std::uint32_t wanted = all_pair_lanes >> (2 * lanes - pair);
+      const PairColors colors =
+          shade_pair({.own = &pixels.slot[first + i]}, &weights, static_cast<int>(i), wanted);
+      for (std::size_t j = 0; j < pair; ++j) {
+        pixels.color[static_cast<std::size_t>(pixels.place[first + i + j])] = colors.packed[j];
+      }
+    }
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Triangles that are the same all over
+
   /// Triangles that are the same all over get their colour here, a vector of them at a time.
   void shade_constant_triangles() {
     std::array<std::int32_t, lanes> slot = {};
@@ -363,18 +409,12 @@ class TileShading {
   /// Each from its front and from its back: hardly a shader sees a difference, and where none does,
   /// nobody has to know which is seen.
   void shade_constant(std::span<const std::int32_t> slot) {
-    std::array<VisiblePart, lanes> part;
-    RecordNumbers numbers;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      part[i] = {0, slot[std::min(i, slot.size() - 1)]};
-      numbers.number[i] = numbers.number[i + lanes] = static_cast<std::int32_t>(i);
+    std::array<std::int32_t, 2 * lanes> own;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      own[i] = own[i + lanes] = slot[std::min(i, slot.size() - 1)];
     }
-    numbers.front = all_lanes;
-    Table table;
-    table.fill(triangles_, part);
-    const std::array<SeenByVector, 2> both = {{{&table, &numbers}, {&table, &numbers}}};
     const std::uint32_t wanted = all_lanes >> (lanes - static_cast<int>(slot.size()));
-    const PairColors colors = shade_pair(nullptr, &both, nullptr, 0, wanted | wanted << lanes);
+    const PairColors colors = shade_pair({.own = own.data()}, nullptr, 0, wanted | wanted << lanes);
     const auto is_discarded = [&](std::size_t i) { return (colors.discarded >> i & 1U) != 0; };
     for (std::size_t i = 0; i < slot.size(); ++i) {
       const std::size_t behind = i + lanes;
@@ -390,10 +430,10 @@ class TileShading {
   // -------------------------------------------------------------------------------------------
   // What a pixel sees
 
-  static Point<Number> constant_point(const EachRecord& records) {
+  static Point<Number> constant_point(const Own& records, Truth front_facing) {
     Point<Number> point = {};
     interpolate({Number(0), Number(0), Number(0)}, records, point.value);
-    point.front_facing = records.front_facing();
+    point.front_facing = front_facing;
     return point;
   }
 

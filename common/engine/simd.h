@@ -110,6 +110,11 @@ template <int count>
 Ints shift_right(Ints a) {
   return Ints(hn::ShiftRight<count>(a.v));
 }
+/// As unsigned ones.
+template <int count>
+Ints shift_right_unsigned(Ints a) {
+  return Ints(hn::BitCast(IntTag(), hn::ShiftRight<count>(hn::BitCast(UintTag(), a.v))));
+}
 inline Ints minimum(Ints a, Ints b) {
   return Ints(hn::Min(a.v, b.v));
 }

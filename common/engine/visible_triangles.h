@@ -2,7 +2,7 @@
 // shader, and so needn't be compiled with each.
 //
 // Each triangle gets a slot. A block of 8×8 pixels is a list of parts: a slot, and which pixels
-// show its triangle.
+// show its triangle; or it has its pixels on the tile's list of scattered ones, each with a slot.
 //
 // What shading needs to know of a triangle is a record of 32-bit words, its slot's:
 //
@@ -122,6 +122,9 @@ class VisibleTriangles {
     return std::span(scratch_.part).subspan(first, scratch_.parts_end[b] - first);
   }
 
+  /// What other blocks show of it.
+  ScatteredPixels& scattered() const { return scratch_.scattered; }
+
   /// Which side of a triangle is seen. Asked for one that is the same all over: others have it.
   bool shows_front(std::int32_t slot) const;
 
@@ -134,6 +137,11 @@ class VisibleTriangles {
   void weigh_each(std::span<const VisiblePart> parts, const std::array<float, 16>* words,
                   const RecordNumbers& numbers, int block, int first, int end,
                   WeightsInBlock& weights) const;
+
+  /// Of scattered pixels from `first` on, as many as a block has.
+  void weigh_scattered(std::size_t first, WeightsInBlock& weights) const;
+  /// Scattered pixels that see triangles of one colour get it, and are on the list no more.
+  void paint_scattered();
 
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;
@@ -149,11 +157,18 @@ class VisibleTriangles {
  private:
   struct CornerLanes;
   struct TriangleLanes;
-  struct PartOfClipped;
   struct EdgesInBlock;
+
+  /// A triangle that a clipped one consists of.
+  struct PartOfClipped {
+    std::int32_t whole;  ///< slots
+    std::int32_t slot;
+    std::array<SnappedCorner, 3> corner;
+  };
 
   EdgesInBlock edges_in_block(std::int32_t slot, int block, int pixel) const;
   PixelWeights weights_of_each(const EachRecord& records, int block, int first) const;
+  void replace_large(const std::int32_t* slot, Ints x, Ints y, Edges& edges) const;
   std::uint32_t triangle_of(std::uint32_t key) const { return key - job_.first_key; }
   float* record(std::size_t slot) {
     return scratch_.record.data() + slot * static_cast<std::size_t>(varyings_.record_size());
@@ -162,7 +177,11 @@ class VisibleTriangles {
   void collect_undisputed(int block);
   void collect_block(int block);
   BlockMask inside(int block) const;
+  bool are_scattered(int block, BlockMask seen) const;
+  void add_scattered(int block, BlockMask seen);
+  void find_slots_of_scattered();
   std::int32_t slot_of(std::uint32_t key);
+  Ints slots_of(Ints keys);
   void reserve_slots(std::size_t count);
   void set_up();
   void fetch_vertices(std::size_t first_slot, std::size_t count);
@@ -176,6 +195,7 @@ class VisibleTriangles {
                    std::size_t count);
   void resolve_clipped_pixels();
   void divide_clipped_triangles(std::span<const PartOfClipped> clipped);
+  void divide_clipped_scattered(std::span<const PartOfClipped> clipped);
   void add_slot(const ClippedPart& part, const float* corners);
   BlockMask covered(const std::array<SnappedCorner, 3>& corner, int block) const;
 

@@ -26,6 +26,7 @@ void VisibleTriangles::take_one(std::uint32_t key, BlockMask covered) {
   scratch_.key.assign(1, key);
   scratch_.part.assign(1, {covered, 0});
   scratch_.parts_end.assign(1, 1);
+  scratch_.scattered.clear();
   set_up();
   resolve_clipped_pixels();
 }
@@ -36,13 +37,18 @@ void VisibleTriangles::take_one(std::uint32_t key, BlockMask covered) {
 namespace {
 
 constexpr int table_bits = 12;
+constexpr std::uint32_t spread = 2654435761U;
 
 /// Triangles: a few times what a processor can wait for at once, and not more than fits near it.
 constexpr std::size_t fetched_at_once = 128;
 
 /// Where in the hash table a key belongs.
 std::size_t table_index(std::uint32_t key) {
-  return key * 2654435761U >> (32 - table_bits);
+  return key * spread >> (32 - table_bits);
+}
+
+Ints table_indices(Ints key) {
+  return shift_right_unsigned<32 - table_bits>(key * Ints(static_cast<std::int32_t>(spread)));
 }
 
 /// The pixels of a block whose keys, given a vector at a time, fulfil a condition.
@@ -62,6 +68,7 @@ void VisibleTriangles::collect() {
   scratch_.table.resize(std::size_t{1} << table_bits);
   scratch_.key.clear();
   scratch_.part.clear();
+  scratch_.scattered.clear();
   scratch_.parts_end.resize(blocks);
   if (tile_.undisputed != nullptr) {
     scratch_.slot_of_plane.assign(tile_.undisputed->planes().size(), -1);
@@ -74,6 +81,7 @@ void VisibleTriangles::collect() {
     }
     scratch_.parts_end[block] = static_cast<std::uint32_t>(scratch_.part.size());
   }
+  find_slots_of_scattered();
 }
 
 void VisibleTriangles::collect_undisputed(int block) {
@@ -89,17 +97,24 @@ void VisibleTriangles::collect_undisputed(int block) {
 void VisibleTriangles::collect_block(int block) {
   const std::uint32_t* key = tile_.key + block * 64;
   const Ints first(static_cast<std::int32_t>(job_.first_key));
-  BlockMask rest = pixels_where(key, [&](Ints keys) { return keys >= first; }) & inside(block);
+  const BlockMask seen =
+      pixels_where(key, [&](Ints keys) { return keys >= first; }) & inside(block);
   const auto pixels_of = [&](std::uint32_t one) {
     const Ints wanted(static_cast<std::int32_t>(one));
     return pixels_where(key, [&](Ints keys) { return keys == wanted; });
   };
   // From both ends: two searches that needn't wait for each other.
-  while (rest != 0) {
+  for (BlockMask rest = seen; rest != 0;) {
     const std::uint32_t one = key[std::countr_zero(rest)];
     const std::uint32_t other = key[63 - std::countl_zero(rest)];
     const BlockMask of_one = rest & pixels_of(one);
     const BlockMask of_other = rest & pixels_of(other);
+    const bool maybe_scattered =
+        rest == seen && 4 * std::popcount(of_one | of_other) < std::popcount(seen);
+    if (maybe_scattered && are_scattered(block, seen)) {
+      add_scattered(block, seen);
+      return;
+    }
     scratch_.part.push_back({of_one, slot_of(one)});
     if (other != one) scratch_.part.push_back({of_other, slot_of(other)});
     rest &= ~(of_one | of_other);
@@ -125,6 +140,24 @@ std::int32_t VisibleTriangles::slot_of(std::uint32_t key) {
     scratch_.key.push_back(key);
   }
   return static_cast<std::int32_t>(entry);
+}
+
+/// A vector of them, most of which have been asked for before.
+Ints VisibleTriangles::slots_of(Ints keys) {
+  alignas(64) std::array<std::int32_t, lanes> slot;
+  store(keys, slot.data());
+  if (scratch_.key.empty()) slot_of(static_cast<std::uint32_t>(slot[0]));
+  const Ints entry = gather_ints(scratch_.table.data(), table_indices(keys));
+  const Truth may_be = entry < Ints(static_cast<std::int32_t>(scratch_.key.size()));
+  const Ints known = select(may_be, entry, Ints(0));
+  const Truth is = may_be && gather_ints(scratch_.key.data(), known) == keys;
+  if (all(is)) return known;
+  store(select(is, known, keys), slot.data());
+  for (std::uint32_t rest = bits(!is); rest != 0; rest &= rest - 1) {
+    std::int32_t& key = slot[static_cast<std::size_t>(std::countr_zero(rest))];
+    key = slot_of(static_cast<std::uint32_t>(key));
+  }
+  return load(slot.data());
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -161,6 +194,7 @@ void VisibleTriangles::reserve_slots(std::size_t count) {
 void VisibleTriangles::set_up() {
   const std::size_t count = scratch_.key.size();
   scratch_.clipped.clear();
+  scratch_.any_large = false;
   reserve_slots(count);
   for (std::size_t first = 0; first < count; first += lanes) {
     if (first % fetched_at_once == 0)
@@ -322,6 +356,7 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
     triangle.front = (front >> lane & 1U) != 0;
   }
   if (large == 0) return;
+  scratch_.any_large = true;
   const std::array<Doubles, 3> exact = {exact_product(words[word::step1_y], py - y[2]) +
                                             exact_product(words[word::step1_x], px - x[2]),
                                         exact_product(words[word::step2_y], py - y[0]) +
@@ -338,13 +373,6 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
 
 // ---------------------------------------------------------------------------------------------
 // Triangles that were clipped: their pixels belong to one of the parts
-
-/// A triangle that a clipped one consists of.
-struct VisibleTriangles::PartOfClipped {
-  std::int32_t whole;  ///< slots
-  std::int32_t slot;
-  std::array<SnappedCorner, 3> corner;
-};
 
 void VisibleTriangles::resolve_clipped_pixels() {
   if (scratch_.clipped.empty()) return;
@@ -364,6 +392,7 @@ void VisibleTriangles::resolve_clipped_pixels() {
     }
   }
   divide_clipped_triangles(parts);
+  divide_clipped_scattered(parts);
 }
 
 void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
@@ -461,29 +490,19 @@ struct VisibleTriangles::EdgesInBlock {
 inline VisibleTriangles::EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block,
                                                                        int pixel) const {
   const float* words = record(slot);
-  const ShadedTriangle& shaded = triangle(slot);
   const auto integer = [words](int i) { return std::bit_cast<std::int32_t>(words[i]); };
   const Place corner = place_of_block(block);
   const int x = pixel & 7;
   const int y = pixel >> 3;
-  const auto at_pixel = [&](std::size_t e, int at_first, int step_x, int step_y) {
-    if (shaded.is_large) {
-      return shaded.edges[e - 1] + 256.0 * (static_cast<double>(integer(step_x)) * (corner.x + x) +
-                                            static_cast<double>(integer(step_y)) * (corner.y + y));
-    }
-    const auto word = [&](int i) { return static_cast<std::uint32_t>(integer(i)); };
-    const std::uint32_t steps = word(step_x) * static_cast<std::uint32_t>(corner.x + x) +
-                                word(step_y) * static_cast<std::uint32_t>(corner.y + y);
-    return static_cast<double>(static_cast<std::int32_t>(word(at_first) + 256 * steps));
-  };
   EdgesInBlock edges;
   const auto set = [&](std::size_t e, double here, double step_x, double step_y) {
     store_eight(0, step_x, x, edges.column[e].data());
     store_eight(here, step_y, y, edges.row[e].data());
   };
-  const double area = shaded.is_large ? shaded.edges[2] : integer(word::area);
-  const double e1 = at_pixel(1, word::edge1, word::step1_x, word::step1_y);
-  const double e2 = at_pixel(2, word::edge2, word::step2_x, word::step2_y);
+  const ShadedTriangle& shaded = triangle(slot);
+  const double area = exact_twice_area(shaded, words);
+  const double e1 = exact_edge(shaded, words, 1, corner.x + x, corner.y + y);
+  const double e2 = exact_edge(shaded, words, 2, corner.x + x, corner.y + y);
   const auto step = [&](int i) { return 256.0 * integer(i); };
   set(0, area - (e1 + e2), -(step(word::step1_x) + step(word::step2_x)),
       -(step(word::step1_y) + step(word::step2_y)));
@@ -547,14 +566,8 @@ PixelWeights VisibleTriangles::weights_of_each(const EachRecord& r, int block, i
   const Ints pixel = iota(first);
   const Ints x = (pixel & Ints(7)) + Ints(place.x);
   const Ints y = shift_right<3>(pixel) + Ints(place.y);
-  const auto edge = [&](int at_first, int step_x, int step_y) {
-    return to_doubles(r.integer(at_first) +
-                      shift_left<8>(x * r.integer(step_x) + y * r.integer(step_y)));
-  };
-  const Doubles e1 = edge(word::edge1, word::step1_x, word::step1_y);
-  const Doubles e2 = edge(word::edge2, word::step2_x, word::step2_y);
-  const Edges edges = {to_doubles(r.integer(word::area)) - (e1 + e2), e1, e2};
-  return edges.weights(to_doubles(r.number(word::ratio1)), to_doubles(r.number(word::ratio2)));
+  return edges_at(r, x, y).weights(to_doubles(r.number(word::ratio1)),
+                                   to_doubles(r.number(word::ratio2)));
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "tests/engine/test_shaders.h"
 
+#include <random>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -171,6 +172,78 @@ TEST(engine_shading, tells_a_triangle_without_varyings_which_side_is_seen) {
               500);
     for (const SimdTarget simd : supported_simd_targets()) {
       EXPECT_EQ(picture(false, simd), expected) << name_of(simd);
+    }
+  }
+}
+
+/// Crumbs of a pixel or two in front of triangles that are far larger than the picture or reach
+/// behind the eye, which is at the origin and looks along z.
+Mesh crumbs(int count) {
+  std::mt19937 random(3);
+  const auto number = [&](float low, float high) {
+    return low + (high - low) * static_cast<float>(random() >> 8U) / 16777216.0F;
+  };
+  Mesh mesh;
+  const auto add = [&](Eigen::Vector2f center, float reach, float near, float far) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    for (int corner = 0; corner < 3; ++corner) {
+      const float z = number(near, far);
+      const Eigen::Vector2f p =
+          center + Eigen::Vector2f(number(-reach, reach), number(-reach, reach));
+      mesh.positions.emplace_back(z * p.x(), z * p.y(), z);
+      mesh.normals.emplace_back(number(0, 1), number(0, 1), number(0, 1));
+    }
+  };
+  for (int i = 0; i < count; ++i) {
+    add({number(-1, 1), number(-1, 1)}, 0.09F, 1, 2);
+    if (i % 100 == 0) add({number(-1, 1), number(-1, 1)}, 12, 2, 5);
+    if (i % 150 == 25) add({number(-1, 1), number(-1, 1)}, 1, -1, 9);
+  }
+  return mesh;
+}
+
+/// That mesh with one triangle, and the others of no area.
+Mesh alone(const Mesh& mesh, int triangle) {
+  Mesh one = mesh;
+  for (auto& corners : one.triangles) corners.fill(0);
+  one.triangles[static_cast<std::size_t>(triangle)] =
+      mesh.triangles[static_cast<std::size_t>(triangle)];
+  return one;
+}
+
+/// Blocks that see about as many triangles as they have pixels are shaded in another way.
+TEST(engine_shading, gives_a_pixel_its_color_whoever_its_neighbors_are) {
+  constexpr int side = 40;
+  Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+  matrix.row(2) << 0, 0, 1, -0.4F;
+  matrix.row(3) << 0, 0, 1, 0;
+  const Mesh mesh = crumbs(2000);
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    Renderer renderer({.threads = 1, .simd = simd});
+    const auto drawn = [&](const Mesh& which, Framebuffer& frame) {
+      const PreparedMesh prepared(which);
+      const PatchworkShader shader;
+      return renderer.draw({.mesh = &prepared, .matrix = matrix, .shading = shading(shader)},
+                           frame);
+    };
+    Framebuffer frame(side, side);
+    const Statistics statistics = drawn(mesh, frame);
+    EXPECT_GT(statistics.triangles_clipped, 2U);
+    const Image<std::int32_t> ids = frame.ids();
+    const std::set<int> seen(ids.pixels().begin(), ids.pixels().end());
+    EXPECT_GT(seen.size(), 300U);
+    EXPECT_EQ(statistics.pixels_shaded, static_cast<std::uint64_t>(drawn_pixels(frame)));
+    for (const int triangle : seen) {
+      if (triangle < 0) continue;
+      Framebuffer by_itself(side, side);
+      drawn(alone(mesh, triangle), by_itself);
+      for (std::size_t i = 0; i < ids.pixels().size(); ++i) {
+        if (ids.pixels()[i] != triangle) continue;
+        ASSERT_EQ(frame.color().pixels()[i], by_itself.color().pixels()[i])
+            << "pixel " << i << ", triangle " << triangle;
+      }
     }
   }
 }

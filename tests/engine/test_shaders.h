@@ -62,7 +62,14 @@ struct StripesShader : BusyShader {
   }
 };
 
-/// The same, but for floats only, and telling how often it was asked.
+/// Of every third triangle the same all over.
+struct PatchworkShader : StripesShader {
+  Varyings<float> vertex(const Mesh& mesh, std::uint32_t triangle, int corner) const {
+    return StripesShader::vertex(mesh, triangle, triangle % 3 == 0 ? 0 : corner);
+  }
+};
+
+/// StripesShader, but for floats only, and telling how often it was asked.
 struct CountingShader : StripesShader {
   std::atomic<int>* fragments;
 
