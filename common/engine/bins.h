@@ -22,10 +22,10 @@ class Arena {
   template <class T>
   T* make() {
     static_assert(alignof(T) <= alignment && std::is_trivially_destructible_v<T>);
-    const std::size_t size = (sizeof(T) + alignment - 1) / alignment * alignment;
-    if (used_ + size > block_size) next_block();
+    used_ = (used_ + alignof(T) - 1) / alignof(T) * alignof(T);
+    if (used_ + sizeof(T) > block_size) next_block();
     void* place = blocks_[current_].get() + used_;
-    used_ += size;
+    used_ += sizeof(T);
     return ::new (place) T;
   }
 
@@ -85,7 +85,7 @@ struct alignas(16) LargeTriangle {
 };
 
 /// Those that reach into one tile.
-struct LargeTriangles {
+struct alignas(64) LargeTriangles {
   static constexpr int capacity = 30;
 
   LargeTriangles* next;

@@ -365,7 +365,7 @@ class TileShading {
     ScatteredPixels& pixels = triangles_.scattered();
     if (pixels.count == 0) return;
     statistics_.pixels_shaded += pixels.count;
-    triangles_.paint_scattered();
+    if (any_constant_) triangles_.paint_scattered();
     for (std::size_t first = 0; first < pixels.count; first += 64) {
       shade_some_scattered(first, std::min<std::size_t>(64, pixels.count - first), pixels);
     }
@@ -398,6 +398,7 @@ class TileShading {
     std::size_t count = 0;
     for (std::int32_t i = 0; i < triangles_.slot_count(); ++i) {
       if (!triangles_.triangle(i).is_constant) continue;
+      any_constant_ = true;
       slot[count++] = i;
       if (count < slot.size()) continue;
       shade_constant(slot);
@@ -555,6 +556,7 @@ class TileShading {
   const Shader& shader_;
   VisibleTriangles triangles_;
   int block_count_;
+  bool any_constant_ = false;
   Statistics& statistics_;
 };
 

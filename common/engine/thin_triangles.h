@@ -170,7 +170,7 @@ struct ThinLanes {
 };
 
 template <class Write>
-void walk_thin(ThinLanes t, ThinHits& hits, const Write& write) {
+void walk_thin(ThinLanes& t, ThinHits& hits, const Write& write) {
   const Ints steps = t.lines.last - t.lines.first;
   const std::int32_t most = largest(steps);
   Ints number = ThinHits::number_of(iota(0), t.lines.first, Ints(0));
@@ -211,8 +211,8 @@ void draw_thin(const Tile& tile, std::span<const ThinInTile> slivers, const Writ
     }
     const ThinCorners corners =
         load_corners([&](std::size_t lane) { return triangle[lane]; }, tile);
-    const ThinLanes t(corners, {load(first.data()), load(last.data())}, tile,
-                      first_lanes(static_cast<int>(count)));
+    ThinLanes t(corners, {load(first.data()), load(last.data())}, tile,
+                first_lanes(static_cast<int>(count)));
     t.fill(corners, hits.table);
     walk_thin(t, hits, write);
   }
