@@ -92,7 +92,7 @@ class TileShading {
     const Varyings<float> value0 = corner(0);
     const Varyings<float> value1 = corner(1);
     const Varyings<float> value2 = corner(2);
-    bool differ = false;
+    std::uint32_t bits = 0;
     for_each_number([&](int i) {
       const float at0 = number_of(value0, i);
       const float to1 = number_of(value1, i) - at0;
@@ -100,9 +100,9 @@ class TileShading {
       corners[i] = at0;
       corners[varying_count + i] = to1;
       corners[2 * varying_count + i] = to2;
-      differ |= to1 != 0 || to2 != 0;
+      bits |= std::bit_cast<std::uint32_t>(to1) | std::bit_cast<std::uint32_t>(to2);
     });
-    return differ;
+    return bits << 1U != 0;  // but for signs
   }
   static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners, &write_record};
 
