@@ -432,8 +432,10 @@ class TileShading {
   // What a pixel sees
 
   static Point<Number> constant_point(const Own& records, Truth front_facing) {
-    Point<Number> point = {};
+    Point<Number> point;
     interpolate({Number(0), Number(0), Number(0)}, records, point.value);
+    // Eigen's vectors are not zero of themselves.
+    for_each_number([&](int i) { number_of(point.dx, i) = number_of(point.dy, i) = Number(0); });
     point.front_facing = front_facing;
     return point;
   }
