@@ -24,23 +24,30 @@ namespace rasterlab::bench {
 
 namespace {
 
+/// What came out, and how far apart the quartiles of what it is the median of are, as a part of it.
+struct Measured {
+  double value;
+  double spread = 0;
+};
+
 /// What `measure` gives in a process of its own: memory and threads begin afresh.
-double apart(const std::function<double()>& measure) {
+template <class Values>
+Values apart(const std::function<Values()>& measure) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
   std::fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
-    const double value = measure();
-    _exit(write(ends[1], &value, sizeof(value)) == sizeof(value) ? 0 : 1);
+    const Values values = measure();
+    _exit(write(ends[1], &values, sizeof(values)) == sizeof(values) ? 0 : 1);
   }
   close(ends[1]);
-  double value = 0;
-  const bool came = read(ends[0], &value, sizeof(value)) == sizeof(value);
+  Values values;
+  const bool came = read(ends[0], &values, sizeof(values)) == sizeof(values);
   close(ends[0]);
   waitpid(child, nullptr, 0);
   if (!came) throw std::runtime_error("a measurement did not end well");
-  return value;
+  return values;
 }
 
 /// Nanoseconds each thread has run.
@@ -66,25 +73,25 @@ constexpr int height = 1080;
 /// Everything needed to draw a scene over and over.
 class Drawing {
  public:
-  Drawing(const Scene& scene, ShadingKind kind, int threads, int w = width, int h = height)
-      : scene_(scene),
-        kind_(kind),
-        prepared_(scene.mesh),
-        frame_(w, h),
-        renderer_({.threads = threads, .pin_threads = true, .skip = {}}) {}
+  /// Keeps colours, or what there is without them.
+  Drawing(const Scene& scene, ShadingKind kind)
+      : Drawing(scene, kind, kind == ShadingKind::phong ? Keep::color : Keep::depth, width,
+                height) {}
+  Drawing(const Scene& scene, ShadingKind kind, Keep keep, int w, int h)
+      : scene_(scene), kind_(kind), keep_(keep), prepared_(scene.mesh), frame_(w, h) {}
 
-  void draw() {
+  void draw(Renderer& renderer) {
     const PhongShader phong = {{.eye = scene_.eye}};
-    DrawCall call = {.mesh = &prepared_, .matrix = scene_.matrix};
+    DrawCall call = {.mesh = &prepared_, .matrix = scene_.matrix, .keep = keep_};
     if (kind_ == ShadingKind::phong) call.shading = shading(phong);
     frame_.clear();
-    renderer_.draw(call, frame_);
+    renderer.draw(call, frame_);
   }
 
-  Cost cost() {
+  Cost cost(Renderer& renderer) {
     const std::map<int, double> before = thread_times();
     const auto start = std::chrono::steady_clock::now();
-    draw();
+    draw(renderer);
     const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
     double busiest = 0;
     for (const auto& [thread, time] : thread_times()) {
@@ -97,25 +104,50 @@ class Drawing {
  private:
   const Scene& scene_;
   ShadingKind kind_;
+  Keep keep_;
   PreparedMesh prepared_;
   Framebuffer frame_;
-  Renderer renderer_;
 };
 
-/// Medians of two drawings' costs, measured in turn.
-std::array<Cost, 2> medians(Drawing& first, Drawing& second) {
-  std::array<std::vector<double>, 2> wall;
-  std::array<std::vector<double>, 2> busiest;
-  first.draw();
-  second.draw();
-  for (int i = 0; i < 15; ++i) {
-    for (const std::size_t which : {0U, 1U}) {
-      const Cost cost = (which == 0 ? first : second).cost();
-      wall[which].push_back(cost.wall);
-      busiest[which].push_back(cost.busiest);
-    }
+EngineOptions pinned(int threads) {
+  return {.threads = threads, .pin_threads = true, .skip = {}};
+}
+
+/// How many times one cost is another.
+struct CostRatio {
+  Measured wall;
+  Measured busiest;
+};
+
+/// Of some frames in a row the middle ones by the clock and by processor time. The first, which
+/// finds threads asleep and caches with something else in them, isn't counted.
+template <class MakeFrame>
+Cost cost_in_a_row(const MakeFrame& frame) {
+  std::vector<double> wall;
+  std::vector<double> busiest;
+  frame();
+  for (int i = 0; i < 5; ++i) {
+    const Cost cost = frame();
+    wall.push_back(cost.wall);
+    busiest.push_back(cost.busiest);
   }
-  return {Cost{median(wall[0]), median(busiest[0])}, Cost{median(wall[1]), median(busiest[1])}};
+  return {median(wall), median(busiest)};
+}
+
+/// Some frames of the one and some of the other in turns, so that what slows the machine down for a
+/// while slows both.
+template <class MakeFrame, class MakeOther>
+CostRatio ratio_of_costs(const MakeFrame& one, const MakeOther& other) {
+  constexpr int turns = 15;
+  std::vector<double> wall;
+  std::vector<double> busiest;
+  for (int i = 0; i < turns; ++i) {
+    const Cost a = cost_in_a_row(one);
+    const Cost b = cost_in_a_row(other);
+    wall.push_back(a.wall / b.wall);
+    busiest.push_back(a.busiest / b.busiest);
+  }
+  return {{median(wall), spread(wall)}, {median(busiest), spread(busiest)}};
 }
 
 Scene scene_named(const std::string& name) {
@@ -125,12 +157,12 @@ Scene scene_named(const std::string& name) {
   throw std::runtime_error("no scene " + name);
 }
 
-double two_threads(const std::string& name, ShadingKind kind, double Cost::*what) {
+CostRatio two_threads(const std::string& name, ShadingKind kind) {
   const Scene scene = scene_named(name);
-  Drawing one(scene, kind, 1);
-  Drawing two(scene, kind, 2);
-  const auto [cost_of_one, cost_of_two] = medians(one, two);
-  return cost_of_one.*what / cost_of_two.*what;
+  Drawing drawing(scene, kind);
+  Renderer one(pinned(1));
+  Renderer two(pinned(2));
+  return ratio_of_costs([&] { return drawing.cost(one); }, [&] { return drawing.cost(two); });
 }
 
 /// A sphere of 100 000 triangles before a wall, and what else there is ten times as much of.
@@ -156,13 +188,16 @@ Scene sphere_before_wall(bool with_more, float more_at_z) {
 }
 
 /// How much longer a frame takes with ten times the geometry at a depth, in percent.
-double cost_of_more(float at_z) {
+Measured cost_of_more(float at_z) {
   const Scene scene = sphere_before_wall(false, 0);
   const Scene more = sphere_before_wall(true, at_z);
-  Drawing without(scene, ShadingKind::depth, 1);
-  Drawing with(more, ShadingKind::depth, 1);
-  const auto [few, many] = medians(without, with);
-  return (many.busiest / few.busiest - 1) * 100;
+  Drawing without(scene, ShadingKind::depth);
+  Drawing with(more, ShadingKind::depth);
+  Renderer renderer(pinned(1));
+  const Measured ratio =
+      ratio_of_costs([&] { return with.cost(renderer); }, [&] { return without.cost(renderer); })
+          .busiest;
+  return {(ratio.value - 1) * 100, ratio.spread};
 }
 
 /// Of /proc/self/status, in MB.
@@ -174,49 +209,54 @@ double memory(const std::string& name) {
   throw std::runtime_error("no " + name);
 }
 
-double memory_beyond_mesh() {
+Measured memory_beyond_mesh() {
   const Scene scene = scene_named("sphere 8M");
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";  // forgets the peak so far
   const double before = memory("VmRSS");
-  Drawing drawing(scene, ShadingKind::phong, 2);
-  drawing.draw();
-  return memory("VmHWM") - before;
+  Drawing drawing(scene, ShadingKind::phong, Keep::everything, width, height);
+  Renderer renderer(pinned(2));
+  drawing.draw(renderer);
+  return {memory("VmHWM") - before};
 }
 
-double memory_of_large_picture() {
+Measured memory_of_large_picture() {
   const Scene scene = scene_named("quads front to back");
-  Drawing drawing(scene, ShadingKind::phong, 2, 16384, 16384);
-  drawing.draw();
-  return memory("VmHWM");
+  Drawing drawing(scene, ShadingKind::phong, Keep::everything, 16384, 16384);
+  Renderer renderer(pinned(2));
+  drawing.draw(renderer);
+  return {memory("VmHWM")};
 }
 
 }  // namespace
 
 std::vector<ScalingResult> measure_scaling() {
   std::vector<ScalingResult> results;
-  const auto add = [&](const std::string& name, double limit, bool at_least,
-                       const std::function<double()>& measure) {
-    results.push_back({name, apart(measure), limit, at_least});
+  const auto add = [&](const std::string& name, const Measured& measured, double limit,
+                       bool at_least) {
+    results.push_back({name, measured.value, measured.spread, limit, at_least});
     const ScalingResult& r = results.back();
-    std::printf("%-64s %8.2f  (%s %.4g%s)\n", name.c_str(), r.value,
+    std::printf("%-76s %8.2f  spread %2.0f%%  (%s %.4g%s)\n", name.c_str(), r.value, 100 * r.spread,
                 at_least ? "at least" : "at most", limit, r.reached() ? "" : ": not reached");
     std::fflush(stdout);
+  };
+  const auto add_most = [&](const std::string& name, double limit, Measured (*measure)()) {
+    add(name, apart<Measured>(measure), limit, false);
   };
   for (const std::string scene : {"sphere 1M", "tori far to near"}) {
     for (const ShadingKind kind : {ShadingKind::depth, ShadingKind::phong}) {
       const std::string name = "two threads against one, " + scene + ", " + name_of(kind);
-      add(name, 1.8, true, [=] { return two_threads(scene, kind, &Cost::wall); });
-      add(name + ", by processor time of the busiest", 1.8, true,
-          [=] { return two_threads(scene, kind, &Cost::busiest); });
+      const auto ratio = apart<CostRatio>([&] { return two_threads(scene, kind); });
+      add(name, ratio.wall, 1.8, true);
+      add(name + ", by processor time of the busiest", ratio.busiest, 1.8, true);
     }
   }
-  add("ten times the geometry hidden behind a wall, % more time", 20, false,
-      [] { return cost_of_more(-7); });
-  add("ten times the geometry behind the camera, % more time", 10, false,
-      [] { return cost_of_more(3); });
-  add("8M triangles: MB beyond the mesh's own arrays", 400, false, memory_beyond_mesh);
-  add("16384 x 16384 pixels: MB", 3000, false, memory_of_large_picture);
+  add_most("ten times the geometry hidden behind a wall, % more time", 20,
+           [] { return cost_of_more(-7); });
+  add_most("ten times the geometry behind the camera, % more time", 10,
+           [] { return cost_of_more(3); });
+  add_most("8M triangles: MB beyond the mesh's own arrays", 400, memory_beyond_mesh);
+  add_most("16384 x 16384 pixels: MB", 3000, memory_of_large_picture);
   return results;
 }
 
@@ -225,6 +265,7 @@ nlohmann::json to_json(const std::vector<ScalingResult>& results) {
   for (const ScalingResult& r : results) {
     array.push_back({{"name", r.name},
                      {"value", r.value},
+                     {"spread", r.spread},
                      {"limit", r.limit},
                      {"at_least", r.at_least},
                      {"reached", r.reached()}});

@@ -10,7 +10,8 @@ namespace rasterlab::bench {
 
 struct ScalingResult {
   std::string name;
-  double value;
+  double value;   ///< a median, …
+  double spread;  ///< … and how far apart its quartiles are, as a part of it
   double limit;
   bool at_least;  ///< whether the limit is a lower one
 
