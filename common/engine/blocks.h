@@ -31,6 +31,17 @@ struct BlockPlaces {
 };
 inline constexpr BlockPlaces places;
 
+/// A way in a tile.
+struct PixelOffset {
+  int x, y;
+};
+
+/// A block's first pixel.
+inline PixelOffset place_of_block(const Tile& tile, int block) {
+  const auto per_row = static_cast<unsigned>(tile.blocks_per_row());  // a power of two
+  return {(block & (tile.blocks_per_row() - 1)) * 8, (block >> std::countr_zero(per_row)) * 8};
+}
+
 /// Blocks that a box of pixels reaches into; left ≤ right and top ≤ bottom, all in the tile.
 inline BlockMask blocks_in_bounds(const Tile& tile, int left, int right, int top, int bottom) {
   const auto ones = [](int count) { return ~BlockMask{0} >> (64 - count); };

@@ -4,6 +4,8 @@
 
 #include "common/engine/plane_depths.h"
 
+#include <optional>
+
 namespace rasterlab::RASTERLAB_SIMD {
 
 /// An edge function over one tile of at most 64×64 pixels.
@@ -94,7 +96,7 @@ class LargeDrawing {
     find_blocks();
     if (touched_ == 0) return;
     const DepthPlane plane = plane_of(triangle_, edge_);
-    depths_ = PlaneDepths(plane);
+    depths_.emplace(plane);
     if ((touched_ & ~inside_) != 0) prepare_coverage();
     if (tile_.undisputed != nullptr) touched_ &= ~add_to_undisputed(plane);
     give_pixels(tile_, touched_);
@@ -164,7 +166,7 @@ class LargeDrawing {
     for (int first = 0; first < tile_.block_count(); first += lanes) {
       if (lanes_at(blocks, first) == 0) continue;
       const BlockCorners corners(tile_, first);
-      const auto bounds = depths_.in_blocks(corners.x, corners.y);
+      const auto bounds = depths_->in_blocks(corners.x, corners.y);
       store(bounds.far, far + first);
       store(bounds.near, near + first);
     }
@@ -208,11 +210,11 @@ class LargeDrawing {
     const PixelOffset corner = place_of_block(tile_, block);
     if constexpr (whole) {
       const Truth covered = Ints(0) == Ints(0);
-      depths_.for_each_vector(
+      depths_->for_each_vector(
           corner, [&](int g, Number depth) { visit(block * 64 + g * lanes, covered, depth); });
     } else {
       CoverageWalk walk = coverage_in(block);
-      depths_.for_each_vector(corner, [&](int g, Number depth) {
+      depths_->for_each_vector(corner, [&](int g, Number depth) {
         visit(block * 64 + g * lanes, walk.covered(), depth);
         walk.move_on(g);
       });
@@ -265,7 +267,7 @@ class LargeDrawing {
   BlockMask open_;
   BlockMask touched_ = 0;
   BlockMask inside_ = 0;
-  PlaneDepths depths_;
+  std::optional<PlaneDepths> depths_;  ///< made where it stays: it is large
   std::array<BlockSteps<Ints>, 3> coverage_;
 };
 

@@ -6,11 +6,6 @@
 
 namespace rasterlab::RASTERLAB_SIMD {
 
-/// A way in a tile.
-struct PixelOffset {
-  int x, y;
-};
-
 /// How something linear changes over a block, from vector to vector.
 template <class Values>
 struct BlockSteps {
@@ -40,7 +35,6 @@ inline std::int64_t change(const DepthPlane::Edge& edge, PixelOffset way) {
 /// Depths in a plane, which must outlive it, a vector of them at a time.
 class PlaneDepths {
  public:
-  PlaneDepths() = default;
   explicit PlaneDepths(const DepthPlane& plane)
       : plane_(&plane), d0_(plane.d0), k1_(plane.k1), k2_(plane.k2) {
     const Ints x = load(places.x.data());
@@ -119,16 +113,11 @@ class PlaneDepths {
   }
   Number depth(Number e1, Number e2) const { return d0_ + (e1 * k1_ + e2 * k2_); }
 
-  const DepthPlane* plane_ = nullptr;
+  const DepthPlane* plane_;
   Number d0_, k1_, k2_;
   std::array<BlockSteps<Ints>, 2> short_;
   std::array<BlockSteps<Doubles>, 2> long_;
 };
-
-/// A block's first pixel.
-inline PixelOffset place_of_block(const Tile& tile, int block) {
-  return {block % tile.blocks_per_row() * 8, block / tile.blocks_per_row() * 8};
-}
 
 /// First pixels of the blocks from `first` on, one per lane.
 struct BlockCorners {
