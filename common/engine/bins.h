@@ -2,9 +2,9 @@
 #pragma once
 
 #include "common/engine/frame_access.h"
-#include "common/engine/huge_pages.h"
 #include "common/engine/scattered_pixels.h"
 #include "common/engine/statistics.h"
+#include "common/image/huge_pages.h"
 
 #include <algorithm>
 #include <array>

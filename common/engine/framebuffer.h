@@ -1,7 +1,7 @@
 // What the engine draws into.
 #pragma once
 
-#include "common/engine/huge_pages.h"
+#include "common/image/huge_pages.h"
 #include "common/image/image.h"
 #include "common/image/pixel.h"
 

@@ -1,6 +1,7 @@
 // A picture laid on a surface, with its smaller copies.
 #pragma once
 
+#include "common/image/huge_pages.h"
 #include "common/image/image.h"
 #include "common/image/number.h"
 #include "common/image/pixel.h"
@@ -97,7 +98,7 @@ class Texture {
   std::array<float, max_levels> heights_{};
   std::array<float, max_levels> blocks_{};
   int level_count_ = 0;
-  std::vector<TexelAndAbove> texels_;
+  std::vector<TexelAndAbove, HugePageAllocator<TexelAndAbove>> texels_;
 };
 
 /// The image at half the sides, rounded down but at least 1: each pixel the mean of the area it
