@@ -161,5 +161,16 @@ inline std::array<Vector3<NumberPair>, 4> gather_square(const TexelAndAbove* tex
   return {join(low[0], high[0]), join(low[1], high[1]), join(low[2], high[2]),
           join(low[3], high[3])};
 }
+#if HWY_TARGET == HWY_AVX3
+inline bool gather_near_squares(const TexelAndAbove* texels, int width, int height, NumberPair left,
+                                NumberPair low, std::array<Vector3<NumberPair>, 4>& squares) {
+  std::array<Vector3<Number>, 4> of_low;
+  std::array<Vector3<Number>, 4> of_high;
+  if (!gather_near_squares(texels, width, height, left.low, low.low, of_low)) return false;
+  if (!gather_near_squares(texels, width, height, left.high, low.high, of_high)) return false;
+  for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = join(of_low[i], of_high[i]);
+  return true;
+}
+#endif
 
 }  // namespace rasterlab::RASTERLAB_SIMD

@@ -82,6 +82,21 @@ class Texture {
             texel(level, column[0], row[1]), texel(level, column[1], row[1])};
   }
 
+  /// Whether a Number's lanes can have what lies close together at once.
+  template <class Number>
+  static constexpr bool finds_near_texels = requires(const TexelAndAbove* all, const Number& n,
+                                                     std::array<Vector3<Number>, 4>& texels) {
+    gather_near_squares(all, 0, 0, n, n, texels);
+  };
+
+  /// The same texels of level 0, if the lanes lie close together and none at an edge: then true.
+  /// `left` and `low` are any whole numbers, or not numbers.
+  template <class Number>
+  bool find_near_texels(const Number& left, const Number& low,
+                        std::array<Vector3<Number>, 4>& texels) const {
+    return gather_near_squares(texels_.data(), width(), height(), left, low, texels);
+  }
+
  private:
   template <class Number>
   Whole<Number> place(const Level<Number>& level, const Number& column, const Number& row) const {

@@ -1,6 +1,11 @@
 // Stage 06 as a user runs it on any mesh.
+#include "common/engine/simd_target.h"
+#include "common/image/files.h"
+
 #include "tests/support/both_engines.h"
 #include "tests/support/places.h"
+#include "tests/support/process.h"
+#include "tests/support/scratch.h"
 
 #include <string>
 
@@ -19,6 +24,26 @@ TEST(stage06_viewer, both_engines_draw_the_same) {
   for (const char* shape : {"builtin:cube", "builtin:torus_knot:16"}) {
     expect_both_engines_draw_the_same(
         "06_texture", {"--mesh", shape, "--material", "0.2,0.8,0.6,30", "--size", "200x160"});
+  }
+}
+
+// From near by, where the widest one finds texels that pixels share by a way of its own.
+TEST(stage06_viewer, instruction_sets_magnify_a_texture_to_the_same_bytes) {
+  const auto picture = [](SimdTarget target, const std::string& eye) {
+    const ScratchFolder folder;
+    const ProcessResult result = run_process(
+        {program("06_texture"), "--engine", "tiled", "--simd", std::string(name_of(target)),
+         "--mesh", "builtin:uv_sphere:12", "--texture", source_folder() / "data/planet_color.png",
+         "--eye=" + eye, "--size", "200x150", "--out", "picture.png", "-q"},
+        {.folder = folder.path()});
+    EXPECT_EQ(result.exit_status, 0) << result.err;
+    return read_image<Rgb8>(folder / "picture.png");
+  };
+  for (const char* eye : {"1.15,0.05,0.1", "-1.1,0.3,0.02"}) {
+    const Image<Rgb8> expected = picture(SimdTarget::scalar, eye);
+    for (const SimdTarget target : supported_simd_targets()) {
+      EXPECT_EQ(picture(target, eye), expected) << name_of(target) << " from " << eye;
+    }
   }
 }
 
