@@ -13,6 +13,7 @@ namespace rasterlab::bench {
 /// A directional light and an eye, in object space.
 struct Lighting {
   Eigen::Vector3f toward_light = Eigen::Vector3f(0.3F, 0.5F, 0.8F).normalized();
+  Eigen::Vector3f from_light = -toward_light;
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();
 
   static constexpr float ambient = 0.1F;
@@ -25,23 +26,31 @@ inline Eigen::Vector3f plain_color() {
   return {0.9F, 0.6F, 0.3F};
 }
 
+/// ambient + diffuse · max(N·L, 0)
+template <class Number>
+Number lit_by(const Number& cosine) {
+  return fused_multiply_add(Number(Lighting::diffuse), maximum(cosine, Number(0)),
+                            Number(Lighting::ambient));
+}
+
 /// color · (ambient + diffuse · max(N·L, 0)) + specular · max(R·V, 0)^shininess
 template <class Number>
 Vector3<Number> phong(const Lighting& lighting, const Vector3<Number>& normal,
                       const Vector3<Number>& position, const Vector3<Number>& color) {
-  const Vector3<Number> light = broadcast<Number>(lighting.toward_light);
+  const Vector3<Number> from_light = broadcast<Number>(lighting.from_light);
   const Vector3<Number> eye = broadcast<Number>(lighting.eye);
   const Vector3<Number> view = normalized(
       Vector3<Number>(eye.x() - position.x(), eye.y() - position.y(), eye.z() - position.z()));
-  const Number cosine = dot(normal, light);
+  const Number cosine = dot(normal, broadcast<Number>(lighting.toward_light));
   const Number twice = Number(2) * cosine;
-  const Vector3<Number> reflected(twice * normal.x() - light.x(), twice * normal.y() - light.y(),
-                                  twice * normal.z() - light.z());
+  const Vector3<Number> reflected(fused_multiply_add(twice, normal.x(), from_light.x()),
+                                  fused_multiply_add(twice, normal.y(), from_light.y()),
+                                  fused_multiply_add(twice, normal.z(), from_light.z()));
   const Number shine = Number(Lighting::specular) *
                        power(maximum(dot(reflected, view), Number(0)), Lighting::shininess);
-  const Number lit =
-      Number(Lighting::ambient) + Number(Lighting::diffuse) * maximum(cosine, Number(0));
-  return {color.x() * lit + shine, color.y() * lit + shine, color.z() * lit + shine};
+  const Number lit = lit_by(cosine);
+  return {fused_multiply_add(color.x(), lit, shine), fused_multiply_add(color.y(), lit, shine),
+          fused_multiply_add(color.z(), lit, shine)};
 }
 
 inline std::uint32_t corner_vertex(const Mesh& mesh, std::uint32_t triangle, int corner) {
@@ -62,8 +71,7 @@ struct FlatShader {
   template <class Number>
   Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
     const Number cosine = dot(point.value.normal, broadcast<Number>(lighting.toward_light));
-    const Number lit =
-        Number(Lighting::ambient) + Number(Lighting::diffuse) * maximum(cosine, Number(0));
+    const Number lit = lit_by(cosine);
     const Vector3<Number> color = broadcast<Number>(plain_color());
     return {color.x() * lit, color.y() * lit, color.z() * lit};
   }
@@ -144,9 +152,10 @@ struct NormalMappedShader {
     const Number x = bump.x() * Number(2) - Number(1);
     const Number y = bump.y() * Number(2) - Number(1);
     const Number z = bump.z() * Number(2) - Number(1);
-    const Vector3<Number> normal(x * t.x() + y * b.x() + z * n.x(),
-                                 x * t.y() + y * b.y() + z * n.y(),
-                                 x * t.z() + y * b.z() + z * n.z());
+    const auto blend = [&](int i) {
+      return fused_multiply_add(x, t[i], fused_multiply_add(y, b[i], Number(z * n[i])));
+    };
+    const Vector3<Number> normal(blend(0), blend(1), blend(2));
     return phong(lighting, normalized(normal), value.position,
                  sample_at<Number>(*texture, value.uv, point.dx.uv, point.dy.uv));
   }

@@ -124,6 +124,9 @@ inline NumberPair square_root(NumberPair a) {
 inline NumberPair magnitude(NumberPair a) {
   return {magnitude(a.low), magnitude(a.high)};
 }
+inline NumberPair fused_multiply_add(NumberPair a, NumberPair b, NumberPair c) {
+  return {fused_multiply_add(a.low, b.low, c.low), fused_multiply_add(a.high, b.high, c.high)};
+}
 inline NumberPair round_down(NumberPair a) {
   return {round_down(a.low), round_down(a.high)};
 }

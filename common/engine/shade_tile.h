@@ -450,9 +450,9 @@ class TileShading {
     return point;
   }
 
-  /// Of q_1, q_2 and the sum of all q.
+  /// Of q_1, q_2 and, negative, the sum of all q.
   struct Derivatives {
-    Number q1, q2, sum;
+    Number q1, q2, minus_sum;
   };
   template <class Record>
   static Derivatives derivative(const Record& r, int step1, int step2) {
@@ -460,17 +460,15 @@ class TileShading {
     const Number e2 = as_numbers(r.integer(step2)) * Number(256);
     const Number q1 = e1 * r.number(word::ratio1);
     const Number q2 = e2 * r.number(word::ratio2);
-    return {q1, q2, (q1 - e1) + (q2 - e2)};
-  }
-
-  template <class Record>
-  static Number difference(const PixelWeights& weights, const Record& r, int i) {
-    return weights.b1 * to_1(r, i) + weights.b2 * to_2(r, i);
+    return {q1, q2, (e1 - q1) + (e2 - q2)};
   }
 
   template <class Record>
   static void interpolate(const PixelWeights& weights, const Record& r, Varyings<Number>& value) {
-    for_each_number([&](int i) { number_of(value, i) = at_0(r, i) + difference(weights, r, i); });
+    for_each_number([&](int i) {
+      const Number by_2 = fused_multiply_add(weights.b2, to_2(r, i), at_0(r, i));
+      number_of(value, i) = fused_multiply_add(weights.b1, to_1(r, i), by_2);
+    });
   }
 
   /// With a = a0 + (q1·d1 + q2·d2) / Q: a' = (q1'·d1 + q2'·d2 − (a − a0)·Q') / Q.
@@ -478,8 +476,9 @@ class TileShading {
   static void differentiate(const Derivatives& d, const PixelWeights& weights, const Record& r,
                             Varyings<Number>& result) {
     for_each_number([&](int i) {
-      const Number steps = d.q1 * to_1(r, i) + d.q2 * to_2(r, i);
-      number_of(result, i) = (steps - difference(weights, r, i) * d.sum) * weights.inverse;
+      const Number from_0 = fused_multiply_add(weights.b1, to_1(r, i), weights.b2 * to_2(r, i));
+      const Number steps = fused_multiply_add(d.q1, to_1(r, i), d.q2 * to_2(r, i));
+      number_of(result, i) = fused_multiply_add(from_0, d.minus_sum, steps) * weights.inverse;
     });
   }
 
@@ -542,17 +541,9 @@ class TileShading {
     });
   }
 
-  /// [0, 1] to 0…255 as to_byte() does; not a number becomes 0.
-  static Ints byte(Number value) {
-    const Number inside = minimum(maximum(value, Number(0)), Number(1));
-    return to_whole(inside * Number(255) + Number(0.5F));
-  }
   static void write_bytes(const Vector3<NumberPair>& color, std::uint32_t* packed) {
-    const auto pack = [](Number r, Number g, Number b) {
-      return byte(r) | moved_byte<0, 1>(byte(g)) | moved_byte<0, 2>(byte(b));
-    };
-    store(pack(color.x().low, color.y().low, color.z().low), packed);
-    store(pack(color.x().high, color.y().high, color.z().high), packed + lanes);
+    store(pack_color(color.x().low, color.y().low, color.z().low), packed);
+    store(pack_color(color.x().high, color.y().high, color.z().high), packed + lanes);
   }
 
   const Shader& shader_;

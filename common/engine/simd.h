@@ -2,8 +2,9 @@
 //
 // Included only by files that rasterlab_add_simd_sources() compiles once per instruction set, each
 // time in a namespace of its own, RASTERLAB_SIMD (simd_scalar … simd_avx512). Every operation is a
-// single correctly rounded one per lane, or built from such in one fixed order: no fused
-// multiply-add, no estimates. So every instruction set gives the same bytes.
+// single correctly rounded one per lane, or built from such in one fixed order: no estimates, and
+// products are fused with sums only by fused_multiply_add(). So every instruction set gives the
+// same bytes.
 #pragma once
 
 #ifndef RASTERLAB_SIMD
@@ -557,6 +558,42 @@ inline Doubles to_doubles(Number a) {
           hn::PromoteTo(DoubleTag(), hn::UpperHalf(half, a.v))};
 #endif
 }
+
+// a · b + c, rounded once: fused_multiply_add().
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+inline Number fused_multiply_add(Number a, Number b, Number c) {
+  return Number(hn::MulAdd(a.v, b.v, c.v));
+}
+#elif HWY_TARGET == HWY_SCALAR
+inline Number fused_multiply_add(Number a, Number b, Number c) {
+  return Number(std::fma(hn::GetLane(a.v), hn::GetLane(b.v), hn::GetLane(c.v)));
+}
+#else
+/// The sum, whose last bit is set where it isn't exact: rounded to fewer bits, it becomes what the
+/// exact sum would. Of numbers whose sum is far from overflow, or that aren't numbers.
+inline hn::Vec<DoubleTag> sum_rounded_to_odd(hn::Vec<DoubleTag> a, hn::Vec<DoubleTag> b) {
+  const hn::Rebind<std::int64_t, DoubleTag> whole;
+  const auto sum = hn::Add(a, b);
+  const auto from_b = hn::Sub(sum, a);
+  const auto lost = hn::Add(hn::Sub(a, hn::Sub(sum, from_b)), hn::Sub(b, from_b));
+  const auto zero = hn::Zero(DoubleTag());
+  const auto is_inexact = hn::Or(hn::Lt(lost, zero), hn::Gt(lost, zero));
+  // One less where the rounding went away from zero.
+  const auto pattern = hn::BitCast(whole, sum);
+  const auto too_far = hn::BroadcastSignBit(hn::Xor(pattern, hn::BitCast(whole, lost)));
+  const auto odd = hn::Or(hn::Add(pattern, too_far), hn::Set(whole, 1));
+  return hn::IfThenElse(is_inexact, hn::BitCast(DoubleTag(), odd), sum);
+}
+/// By doubles, which hold a product of floats exactly. A call each: shaders would take many times
+/// as long to compile.
+[[gnu::noinline]] inline Number fused_multiply_add(Number a, Number b, Number c) {
+  const Doubles product = to_doubles(a) * to_doubles(b);
+  const Doubles addend = to_doubles(c);
+  return to_number(Doubles(sum_rounded_to_odd(product.low, addend.low),
+                           sum_rounded_to_odd(product.high, addend.high)));
+}
+#endif
+
 inline Doubles load(const double* from) {
   return {hn::LoadU(DoubleTag(), from), hn::LoadU(DoubleTag(), from + (one_lane ? 0 : half_lanes))};
 }
@@ -596,6 +633,22 @@ inline Doubles gather_doubles(const double* from, Ints index) {
   return {hn::GatherIndex(DoubleTag(), from, hn::PromoteTo(wide, hn::LowerHalf(half, index.v))),
           hn::GatherIndex(DoubleTag(), from, hn::PromoteTo(wide, hn::UpperHalf(half, index.v)))};
 #endif
+}
+
+// ---------------------------------------------------------------------------------------------
+// Colours
+
+/// [0, 1] to 0…255 in the lowest byte, as to_byte() does; what the others are means nothing.
+inline Ints byte_of_color(Number value) {
+  // Beside 2^23, the last bit of a float is worth 1, and the last byte the colour.
+  constexpr float first = 0x1p23F;
+  const Number beside = fused_multiply_add(maximum(value, Number(0)), Number(255), Number(first));
+  return minimum(bit_pattern(beside), bit_pattern(Number(first + 255)));
+}
+/// Per lane as pack_texel() does.
+inline Ints pack_color(Number red, Number green, Number blue) {
+  return moved_byte<0, 0>(byte_of_color(red)) | moved_byte<0, 1>(byte_of_color(green)) |
+         moved_byte<0, 2>(byte_of_color(blue));
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -54,6 +54,11 @@ inline float magnitude(float a) {
   return std::fabs(a);
 }
 
+/// a · b + c, rounded once: by an instruction where the processor has one, and everywhere the same.
+inline float fused_multiply_add(float a, float b, float c) {
+  return std::fma(a, b, c);
+}
+
 /// base^exponent for base ≥ 0. With a float for exponent, if whole, wide numbers are quicker.
 inline float power(float base, float exponent) {
   return std::pow(base, exponent);

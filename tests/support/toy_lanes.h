@@ -116,6 +116,13 @@ RASTERLAB_TOY_FUNCTION_OF_TWO(power)
 #undef RASTERLAB_TOY_FUNCTION
 #undef RASTERLAB_TOY_FUNCTION_OF_TWO
 template <int Lanes>
+ToyLanes<Lanes> fused_multiply_add(const ToyLanes<Lanes>& a, const ToyLanes<Lanes>& b,
+                                   const ToyLanes<Lanes>& c) {
+  return per_lane<ToyLanes<Lanes>, Lanes>([&](std::size_t i) {
+    return rasterlab::fused_multiply_add(a.lane[i], b.lane[i], c.lane[i]);
+  });
+}
+template <int Lanes>
 ToyLanes<Lanes> power(const ToyLanes<Lanes>& base, float exponent) {
   return power(base, ToyLanes<Lanes>(exponent));
 }
