@@ -119,27 +119,17 @@ class OwnRecords {
   std::array<Number, (word_count + 3) / 4 * 4> word_;
 };
 
-/// Edge function 1 or 2 of a triangle whose record `words` is, at a pixel of the tile that sees it.
-inline double exact_edge(const ShadedTriangle& triangle, const float* words, int edge, int x,
+/// Edge function 1 or 2 of a large triangle whose record `words` is, at a pixel of the tile.
+inline double large_edge(const ShadedTriangle& triangle, const float* words, int edge, int x,
                          int y) {
-  const auto integer = [&](int of_1, int of_2) {
-    return std::bit_cast<std::int32_t>(words[edge == 1 ? of_1 : of_2]);
+  const auto step = [&](int of_1, int of_2) {
+    return static_cast<double>(std::bit_cast<std::int32_t>(words[edge == 1 ? of_1 : of_2]));
   };
-  const std::int32_t step_x = integer(word::step1_x, word::step2_x);
-  const std::int32_t step_y = integer(word::step1_y, word::step2_y);
-  if (triangle.is_large) {
-    return triangle.edges[static_cast<std::size_t>(edge - 1)] +
-           256.0 * (static_cast<double>(step_x) * x + static_cast<double>(step_y) * y);
-  }
-  const auto modulo = [](std::int32_t a) { return static_cast<std::uint32_t>(a); };
-  const std::uint32_t steps = modulo(step_x) * modulo(x) + modulo(step_y) * modulo(y);
-  return static_cast<std::int32_t>(modulo(integer(word::edge1, word::edge2)) + 256 * steps);
-}
-inline double exact_twice_area(const ShadedTriangle& triangle, const float* words) {
-  return triangle.is_large ? triangle.edges[2] : std::bit_cast<std::int32_t>(words[word::area]);
+  return triangle.edges[static_cast<std::size_t>(edge - 1)] +
+         256.0 * (step(word::step1_x, word::step2_x) * x + step(word::step1_y, word::step2_y) * y);
 }
 
-/// Both at pixels of the tile, each in the triangle it sees; of large ones anything.
+/// Edge functions at pixels of the tile, each in the triangle it sees; of large ones anything.
 template <class Record>
 Edges edges_at(const Record& r, Ints x, Ints y) {
   const auto edge = [&](int at_first, int step_x, int step_y) {

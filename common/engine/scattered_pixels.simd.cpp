@@ -118,9 +118,9 @@ void VisibleTriangles::replace_large(const std::int32_t* slot, Ints x, Ints y, E
     const ShadedTriangle& shaded = triangle(slot[lane]);
     if (!shaded.is_large) continue;
     const float* words = record(slot[lane]);
-    const double e1 = exact_edge(shaded, words, 1, column[lane], row[lane]);
-    const double e2 = exact_edge(shaded, words, 2, column[lane], row[lane]);
-    edge[0][lane] = exact_twice_area(shaded, words) - (e1 + e2);
+    const double e1 = large_edge(shaded, words, 1, column[lane], row[lane]);
+    const double e2 = large_edge(shaded, words, 2, column[lane], row[lane]);
+    edge[0][lane] = shaded.edges[2] - (e1 + e2);
     edge[1][lane] = e1;
     edge[2][lane] = e2;
   }

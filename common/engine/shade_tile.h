@@ -42,8 +42,12 @@ class TileShading {
   void run() {
     triangles_.take_all();
     shade_constant_triangles();
+    BlockColors colors;
     for (int block = 0; block < block_count_; ++block) {
-      const BlockColors colors = shade_block(block);
+      if (block % triangles_.blocks_per_row() == 0) {
+        triangles_.prefetch_colors(block / triangles_.blocks_per_row() + 1);
+      }
+      shade_block(block, colors);
       if (colors.mask == 0) continue;
       triangles_.write_colors(block, colors.packed.data(), colors.mask);
       statistics_.pixels_shaded += static_cast<unsigned>(std::popcount(colors.mask));
@@ -55,7 +59,9 @@ class TileShading {
   BlockMask not_discarded(std::uint32_t key, BlockMask covered) {
     triangles_.take_one(key, covered);
     shade_constant_triangles();
-    return shade_block(0).kept & covered;
+    BlockColors colors;
+    shade_block(0, colors);
+    return colors.kept & covered;
   }
 
  private:
@@ -135,90 +141,80 @@ class TileShading {
   // -------------------------------------------------------------------------------------------
   // A block
 
+  /// One for all blocks, so that it isn't cleared for each.
   struct BlockColors {
-    BlockMask mask = 0;  ///< of what the triangles cover
-    BlockMask kept = 0;  ///< of that, what isn't discarded
-    alignas(64) std::array<std::uint32_t, 64> packed = {};
+    BlockMask mask = 0;                                     ///< of what the triangles cover
+    BlockMask kept = 0;                                     ///< of that, what isn't discarded
+    alignas(64) std::array<std::uint32_t, 64> packed = {};  ///< beside `mask`, anything
   };
 
-  struct PairColors {
-    std::uint32_t discarded = 0;
-    alignas(64) std::array<std::uint32_t, 2 * lanes> packed;
-  };
+  using Parts = std::span<const VisiblePart>;
 
-  BlockColors shade_block(int block) const {
-    BlockColors colors;
-    PartsOfBlock varying;
-    for (const VisiblePart& part : triangles_.parts(block)) {
-      const ShadedTriangle& triangle = triangles_.triangle(part.slot);
-      colors.mask |= part.mask;
-      if (triangle.is_constant) {
-        paint(triangle, part.mask, colors);
-      } else {
-        varying.add(part);
-      }
+  void shade_block(int block, BlockColors& colors) const {
+    const Parts parts = triangles_.parts(block);
+    colors.mask = seen_by(parts);
+    colors.kept = 0;
+    if (!any_constant_) {
+      if (!parts.empty()) shade_varying(block, parts, colors);
+      return;
     }
-    if (varying.count > 0) shade_varying(block, varying, colors);
-    return colors;
+    SomeParts varying;
+    for (const VisiblePart& part : parts) {
+      if (!triangles_.triangle(part.slot).is_constant) varying.add(part);
+    }
+    if (varying.count > 0) shade_varying(block, varying.parts(), colors);
+    for (const VisiblePart& part : parts) {
+      const ShadedTriangle& triangle = triangles_.triangle(part.slot);
+      if (triangle.is_constant) paint(triangle, part.mask, colors);
+    }
   }
 
-  /// Triangles that aren't the same all over, and which of a block's pixels see them.
-  struct PartsOfBlock {
-    std::size_t count = 0;
+  static BlockMask seen_by(Parts parts) {
     BlockMask mask = 0;
+    for (const VisiblePart& part : parts) mask |= part.mask;
+    return mask;
+  }
+
+  /// Some of a block's.
+  struct SomeParts {
+    std::size_t count = 0;
     std::array<VisiblePart, 64> part;
 
-    void add(const VisiblePart& one) {
-      part[count++] = one;
-      mask |= one.mask;
-    }
-    std::span<const VisiblePart> parts() const { return std::span(part).first(count); }
+    void add(const VisiblePart& one) { part[count++] = one; }
+    Parts parts() const { return std::span(part).first(count); }
   };
 
   static std::uint32_t pair_at(BlockMask mask, int first) {
     return static_cast<std::uint32_t>(mask >> first) & all_pair_lanes;
   }
 
-  void shade_varying(int block, const PartsOfBlock& varying, BlockColors& colors) const {
-    if (varying.count <= most_by_themselves) {
+  void shade_varying(int block, Parts varying, BlockColors& colors) const {
+    if (varying.size() <= most_by_themselves) {
       shade_few(block, varying, colors);
     } else {
       shade_many(block, varying, colors);
     }
   }
 
-  void take(const PairColors& pair, std::uint32_t wanted, int first, BlockColors& colors) const {
-    const BlockMask here = BlockMask{wanted} << first;
-    write_pixels(pair.packed.data(), here, first, colors);
-    colors.kept |= here & ~(BlockMask{pair.discarded} << first);
-  }
-
   /// Up to this many, each is interpolated by itself.
   static constexpr std::size_t most_by_themselves = 2;
 
-  void shade_few(int block, const PartsOfBlock& varying, BlockColors& colors) const {
+  void shade_few(int block, Parts varying, BlockColors& colors) const {
     WeightsInBlock weights;
-    std::array<OneRecord, most_by_themselves> record;
-    BlockMask already = 0;
-    for (std::size_t i = 0; i < varying.count; ++i) {
-      const VisiblePart& part = varying.part[i];
-      triangles_.weigh(part, block, already, weights);
-      already |= part.mask;
-      record[i] = OneRecord(triangles_, part.slot);
-    }
+    triangles_.weigh_few(varying, block, weights);
+    const OneRecord one(triangles_, varying.front().slot);
+    const OneRecord other(triangles_, varying.back().slot);
+    const BlockMask seen = seen_by(varying);
     for (int first = 0; first < 64; first += 2 * lanes) {
-      const std::uint32_t wanted = pair_at(varying.mask, first);
+      const std::uint32_t wanted = pair_at(seen, first);
       if (wanted == 0) continue;
-      OneOrTwo few = {record.data(), nullptr, 0};
-      if (varying.count == 2) {
-        few.is_second = pair_at(varying.part[1].mask, first);
-        if (few.is_second == wanted) {
-          few.first = &record[1];
-        } else if (few.is_second != 0) {
-          few.second = &record[1];
-        }
+      OneOrTwo few = {&one, nullptr, pair_at(varying.back().mask, first)};
+      if (few.is_second == wanted) {
+        few.first = &other;
+      } else if (few.is_second != 0) {
+        few.second = &other;
       }
-      take(shade_pair({.few = &few}, &weights, first, wanted), wanted, first, colors);
+      shade_pair({.few = &few}, &weights, first, wanted, colors);
     }
   }
 
@@ -232,60 +228,50 @@ class TileShading {
 
   /// Their records in a table: one for the block, or, where it sees too many, one for two vectors
   /// or for each.
-  void shade_many(int block, const PartsOfBlock& varying, BlockColors& colors) const {
+  void shade_many(int block, Parts varying, BlockColors& colors) const {
     std::array<Table, 2> table;
     std::array<RecordNumbers, 2> numbers;
     WeightsInBlock weights;
-    const auto look_at = [&](std::span<const VisiblePart> parts, std::size_t i, int first,
-                             int end) {
+    const auto look_at = [&](Parts parts, std::size_t i, int first, int end) {
       table[i].fill(triangles_, parts);
       triangles_.number_pixels(parts, first, end, numbers[i]);
       triangles_.weigh_each(parts, table[i].word.data(), numbers[i], block, first, end, weights);
     };
-    const bool in_one = varying.count <= Table::most;
-    if (in_one) look_at(varying.parts(), 0, 0, 64);
+    const bool in_one = varying.size() <= Table::most;
+    if (in_one) look_at(varying, 0, 0, 64);
+    const BlockMask mask = seen_by(varying);
     for (int first = 0; first < 64; first += 2 * lanes) {
-      const std::uint32_t wanted = pair_at(varying.mask, first);
+      const std::uint32_t wanted = pair_at(mask, first);
       if (wanted == 0) continue;
       const int second = first + lanes;
       std::size_t high = 0;
       if (!in_one) {
-        const PartsOfBlock pair = seen_in(varying, first, 2 * lanes);
+        const SomeParts pair = seen_in(varying, first, 2 * lanes);
         if (pair.count <= Table::most) {
           look_at(pair.parts(), 0, first, second + lanes);
         } else {
           high = 1;
-          look_at(seen_in(pair, first, lanes).parts(), 0, first, second);
-          look_at(seen_in(pair, second, lanes).parts(), 1, second, second + lanes);
+          look_at(seen_in(pair.parts(), first, lanes).parts(), 0, first, second);
+          look_at(seen_in(pair.parts(), second, lanes).parts(), 1, second, second + lanes);
         }
       }
       const std::array<SeenByVector, 2> seen = {
           {{&table[0], &numbers[0]}, {&table[high], &numbers[high]}}};
-      take(shade_pair({.many = &seen}, &weights, first, wanted), wanted, first, colors);
+      shade_pair({.many = &seen}, &weights, first, wanted, colors);
     }
   }
 
   /// In these pixels of a block. Where there are none, anything: lanes beside those that are
   /// wanted.
-  static PartsOfBlock seen_in(const PartsOfBlock& varying, int first, int count) {
+  static SomeParts seen_in(Parts varying, int first, int count) {
     const BlockMask pixels = (~BlockMask{0} >> (64 - count)) << first;
-    PartsOfBlock here;
-    for (const VisiblePart& part : varying.parts()) {
+    SomeParts here;
+    for (const VisiblePart& part : varying) {
       const BlockMask mask = part.mask & pixels;
       if (mask != 0) here.add({mask, part.slot});
     }
-    if (here.count == 0) here.add({BlockMask{1} << first, varying.part[0].slot});
+    if (here.count == 0) here.add({BlockMask{1} << first, varying.front().slot});
     return here;
-  }
-
-  /// Beside those of constant triangles.
-  static void write_pixels(const std::uint32_t* packed, BlockMask mask, int first,
-                           BlockColors& colors) {
-    for (int i = 0; i < 2 * lanes; i += lanes) {
-      const Truth here = truth_of(static_cast<std::uint32_t>(mask >> (first + i)) & all_lanes);
-      std::uint32_t* to = colors.packed.data() + first + i;
-      store(select(here, load(packed + i), load(to)), to);
-    }
   }
 
   /// What two vectors of pixels see: one triangle, or one of two.
@@ -303,10 +289,9 @@ class TileShading {
   };
 
   /// Without weights, of `own` that are the same all over: seen from the front by the first vector,
-  /// from behind by the second.
-  RASTERLAB_FLATTEN PairColors shade_pair(const SeenByPair& seen, const WeightsInBlock* weights,
-                                          int first, std::uint32_t wanted) const {
-    PairColors colors;
+  /// from behind by the second. The whole pair gets a colour, what isn't wanted any.
+  RASTERLAB_FLATTEN void shade_pair(const SeenByPair& seen, const WeightsInBlock* weights,
+                                    int first, std::uint32_t wanted, BlockColors& colors) const {
     Point<NumberPair> point;
     if (const OneOrTwo* few = seen.few; few != nullptr) {
       const PixelWeights low_weights = weights->at(first);
@@ -337,9 +322,9 @@ class TileShading {
       }
     }
     const Fragment<NumberPair> fragment = shade(point, wanted);
-    write_bytes(fragment.color, colors.packed.data());
-    if constexpr (may_discard<Shader>) colors.discarded = bits_of(fragment.discarded);
-    return colors;
+    write_bytes(fragment.color, colors.packed.data() + first);
+    if constexpr (may_discard<Shader>) wanted &= ~bits_of(fragment.discarded);
+    colors.kept |= BlockMask{wanted} << first;
   }
 
   static constexpr std::uint32_t all_pair_lanes = 0xFFFFFFFFU >> (32 - 2 * lanes);
@@ -378,13 +363,13 @@ class TileShading {
   void shade_some_scattered(std::size_t first, std::size_t count, ScatteredPixels& pixels) const {
     WeightsInBlock weights;
     triangles_.weigh_scattered(first, weights);
+    BlockColors colors;
     for (std::size_t i = 0; i < count; i += 2 * lanes) {
       const std::size_t pair = std::min<std::size_t>(2 * lanes, count - i);
       const std::uint32_t wanted = all_pair_lanes >> (2 * lanes - pair);
-      const PairColors colors =
-          shade_pair({.own = &pixels.slot[first + i]}, &weights, static_cast<int>(i), wanted);
-      for (std::size_t j = 0; j < pair; ++j) {
-        pixels.color[static_cast<std::size_t>(pixels.place[first + i + j])] = colors.packed[j];
+      shade_pair({.own = &pixels.slot[first + i]}, &weights, static_cast<int>(i), wanted, colors);
+      for (std::size_t j = i; j < i + pair; ++j) {
+        pixels.color[static_cast<std::size_t>(pixels.place[first + j])] = colors.packed[j];
       }
     }
   }
@@ -415,8 +400,9 @@ class TileShading {
       own[i] = own[i + lanes] = slot[std::min(i, slot.size() - 1)];
     }
     const std::uint32_t wanted = all_lanes >> (lanes - static_cast<int>(slot.size()));
-    const PairColors colors = shade_pair({.own = own.data()}, nullptr, 0, wanted | wanted << lanes);
-    const auto is_discarded = [&](std::size_t i) { return (colors.discarded >> i & 1U) != 0; };
+    BlockColors colors;
+    shade_pair({.own = own.data()}, nullptr, 0, wanted | wanted << lanes, colors);
+    const auto is_discarded = [&](std::size_t i) { return (colors.kept >> i & 1U) == 0; };
     for (std::size_t i = 0; i < slot.size(); ++i) {
       const std::size_t behind = i + lanes;
       const bool alike =

@@ -548,6 +548,9 @@ inline Doubles to_doubles(Ints a) {
           hn::PromoteTo(DoubleTag(), hn::UpperHalf(half, a.v))};
 #endif
 }
+inline Doubles to_doubles(Doubles a) {
+  return a;
+}
 inline Doubles to_doubles(Number a) {
 #if HWY_TARGET == HWY_SCALAR
   const auto wide = hn::PromoteTo(DoubleTag(), a.v);
@@ -602,26 +605,24 @@ inline void store(Doubles a, double* to) {
   if constexpr (!one_lane) hn::StoreU(a.high, DoubleTag(), to + half_lanes);
 }
 
-/// Eight numbers, `step` apart, of which number `at` is `value`; exactly so where they are whole.
-/// Written by whole vectors, which can be read again at once: by smaller ones a processor waits.
-inline void store_eight(double value, double step, int at, double* to) {
-  alignas(64) static constexpr std::array<double, 8> numbers = {0, 1, 2, 3, 4, 5, 6, 7};
-  const DoubleTag tag;
-  for (std::size_t i = 0; i < 8; i += half_lanes) {
-    const auto steps = hn::Sub(hn::Load(tag, numbers.data() + i), hn::Set(tag, at));
-    hn::StoreU(hn::Add(hn::Set(tag, value), hn::Mul(hn::Set(tag, step), steps)), tag, to + i);
-  }
-}
-
-/// Of `lanes` pixels of a block of 8 × 8, row by row, beginning with pixel `first`: what its column
-/// has and what its row has, added up.
-inline Doubles sums_of_block(const double* column, const double* row, int first) {
-  const auto at = [&](int pixel) {
-    return hn::Add(hn::LoadU(DoubleTag(), column + (pixel & 7)),
-                   hn::Set(DoubleTag(), row[pixel >> 3]));
+inline Doubles select(Truth condition, Doubles if_true, Doubles if_false) {
+#if HWY_TARGET == HWY_AVX3
+  const auto low = static_cast<__mmask8>(condition.mask.raw);
+  const auto high = static_cast<__mmask8>(condition.mask.raw >> 8U);
+  return {hn::IfThenElse({low}, if_true.low, if_false.low),
+          hn::IfThenElse({high}, if_true.high, if_false.high)};
+#elif HWY_TARGET == HWY_SCALAR
+  return any(condition) ? if_true : if_false;
+#else
+  const hn::Rebind<std::int64_t, DoubleTag> wide;
+  const HalfIntTag half;
+  const auto lane = hn::VecFromMask(IntTag(), hn::RebindMask(IntTag(), condition.mask));
+  const auto chosen = [&](auto of_half) {
+    return hn::MaskFromVec(hn::BitCast(DoubleTag(), hn::PromoteTo(wide, of_half)));
   };
-  const auto low = at(first);
-  return {low, one_lane ? low : at(first + half_lanes)};
+  return {hn::IfThenElse(chosen(hn::LowerHalf(half, lane)), if_true.low, if_false.low),
+          hn::IfThenElse(chosen(hn::UpperHalf(half, lane)), if_true.high, if_false.high)};
+#endif
 }
 
 inline Doubles gather_doubles(const double* from, Ints index) {

@@ -128,8 +128,8 @@ class VisibleTriangles {
   /// Which side of a triangle is seen. Asked for one that is the same all over: others have it.
   bool shows_front(std::int32_t slot) const;
 
-  /// Of a triangle's pixels in a block, beside those that have theirs already.
-  void weigh(const VisiblePart& part, int block, BlockMask already, WeightsInBlock& weights) const;
+  /// Weights of a block that sees one or two triangles.
+  void weigh_few(std::span<const VisiblePart> parts, int block, WeightsInBlock& weights) const;
   /// Of `parts`, each pixel from `first` to before `end` has the number of the one it sees.
   void number_pixels(std::span<const VisiblePart> parts, int first, int end,
                      RecordNumbers& numbers) const;
@@ -142,6 +142,11 @@ class VisibleTriangles {
   void weigh_scattered(std::size_t first, WeightsInBlock& weights) const;
   /// Scattered pixels that see triangles of one colour get it, and are on the list no more.
   void paint_scattered();
+
+  /// Asks for the memory of the colours of a row of blocks, so that it is near when they are
+  /// written.
+  void prefetch_colors(int row_of_blocks) const;
+  int blocks_per_row() const { return tile_.blocks_per_row(); }
 
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;
@@ -157,7 +162,6 @@ class VisibleTriangles {
  private:
   struct CornerLanes;
   struct TriangleLanes;
-  struct EdgesInBlock;
 
   /// A triangle that a clipped one consists of.
   struct PartOfClipped {
@@ -165,8 +169,15 @@ class VisibleTriangles {
     std::int32_t slot;
     std::array<SnappedCorner, 3> corner;
   };
+  template <class Whole>
+  struct EdgeWalk;
 
-  EdgesInBlock edges_in_block(std::int32_t slot, int block, int pixel) const;
+  template <class Whole>
+  EdgeWalk<Whole> walk(std::int32_t slot, int block) const;
+  void weigh_one(const VisiblePart& part, int block, WeightsInBlock& weights) const;
+  void weigh_two(const VisiblePart& part, const VisiblePart& other, int block,
+                 WeightsInBlock& weights) const;
+  void weigh_large(const VisiblePart& part, int block, WeightsInBlock& weights) const;
   PixelWeights weights_of_each(const EachRecord& records, int block, int first) const;
   void replace_large(const std::int32_t* slot, Ints x, Ints y, Edges& edges) const;
   std::uint32_t triangle_of(std::uint32_t key) const { return key - job_.first_key; }

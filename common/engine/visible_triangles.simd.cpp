@@ -1,8 +1,10 @@
 #include "common/engine/visible_triangles.h"
 
+#include "common/engine/blocks.h"
 #include "common/engine/pixel_records.h"
 
 #include <bit>
+#include <type_traits>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -17,6 +19,7 @@ VisibleTriangles::VisibleTriangles(const DrawJob& job, const Tile& tile,
       statistics_(worker.statistics) {}
 
 void VisibleTriangles::take_all() {
+  prefetch_colors(0);
   collect();
   set_up();
   resolve_clipped_pixels();
@@ -472,61 +475,144 @@ BlockMask VisibleTriangles::covered(const std::array<SnappedCorner, 3>& corner, 
 // ---------------------------------------------------------------------------------------------
 // For shading
 
-/// A triangle's edge functions all over a block, exactly: a pixel's is what its column has plus
-/// what its row has.
-struct VisibleTriangles::EdgesInBlock {
-  alignas(64) std::array<std::array<double, 8>, 3> column;
-  alignas(64) std::array<std::array<double, 8>, 3> row;
+namespace {
 
-  Edges at(int first_pixel) const {
-    const auto edge = [&](std::size_t i) {
-      return sums_of_block(column[i].data(), row[i].data(), first_pixel);
-    };
-    return {edge(0), edge(1), edge(2)};
+template <class Whole>
+Whole whole(Ints value) {
+  if constexpr (std::is_same_v<Whole, Doubles>) {
+    return to_doubles(value);
+  } else {
+    return value;
+  }
+}
+
+}  // namespace
+
+/// A triangle's edge functions, exactly, for a vector of a block's pixels and then for the next.
+/// `Whole` is Ints, modulo 2^32, or, for large triangles, Doubles.
+template <class Whole>
+struct VisibleTriangles::EdgeWalk {
+  Whole e1, e2;
+  Whole next1, next2;  ///< how much more they are for the next vector of a row
+  Whole down1, down2;  ///< for the first of the next row, or rows
+  Whole area;
+  Doubles ratio1, ratio2;
+
+  void step(int first) {
+    const bool row_ends = lanes >= 8 || (first + lanes) % 8 == 0;
+    e1 = e1 + (row_ends ? down1 : next1);
+    e2 = e2 + (row_ends ? down2 : next2);
+  }
+  PixelWeights weights() const {
+    const Edges edges = {to_doubles(area - (e1 + e2)), to_doubles(e1), to_doubles(e2)};
+    return edges.weights(ratio1, ratio2);
+  }
+  /// Where pixels see another triangle, what that has there.
+  PixelWeights weights_beside(Truth is_other, const EdgeWalk& other) const {
+    EdgeWalk both;
+    both.e1 = select(is_other, other.e1, e1);
+    both.e2 = select(is_other, other.e2, e2);
+    both.area = select(is_other, other.area, area);
+    both.ratio1 = select(is_other, other.ratio1, ratio1);
+    both.ratio2 = select(is_other, other.ratio2, ratio2);
+    return both.weights();
   }
 };
 
-/// Of a triangle that `pixel` of the block sees.
-inline VisibleTriangles::EdgesInBlock VisibleTriangles::edges_in_block(std::int32_t slot, int block,
-                                                                       int pixel) const {
+template <class Whole>
+HWY_INLINE VisibleTriangles::EdgeWalk<Whole> VisibleTriangles::walk(std::int32_t slot,
+                                                                    int block) const {
+  constexpr bool in_doubles = std::is_same_v<Whole, Doubles>;
+  using Scalar = std::conditional_t<in_doubles, double, std::uint32_t>;
   const float* words = record(slot);
-  const auto integer = [words](int i) { return std::bit_cast<std::int32_t>(words[i]); };
-  const Place corner = place_of_block(block);
-  const int x = pixel & 7;
-  const int y = pixel >> 3;
-  EdgesInBlock edges;
-  const auto set = [&](std::size_t e, double here, double step_x, double step_y) {
-    store_eight(0, step_x, x, edges.column[e].data());
-    store_eight(here, step_y, y, edges.row[e].data());
-  };
   const ShadedTriangle& shaded = triangle(slot);
-  const double area = exact_twice_area(shaded, words);
-  const double e1 = exact_edge(shaded, words, 1, corner.x + x, corner.y + y);
-  const double e2 = exact_edge(shaded, words, 2, corner.x + x, corner.y + y);
-  const auto step = [&](int i) { return 256.0 * integer(i); };
-  set(0, area - (e1 + e2), -(step(word::step1_x) + step(word::step2_x)),
-      -(step(word::step1_y) + step(word::step2_y)));
-  set(1, e1, step(word::step1_x), step(word::step1_y));
-  set(2, e2, step(word::step2_x), step(word::step2_y));
+  const auto word = [&](int i) {
+    return static_cast<Scalar>(std::bit_cast<std::int32_t>(words[i]));
+  };
+  const auto all = [](Scalar value) {
+    if constexpr (in_doubles) {
+      return Doubles(value);
+    } else {
+      return Ints(static_cast<std::int32_t>(value));
+    }
+  };
+  const auto known = [&](int i, std::size_t large) {
+    return in_doubles ? static_cast<Scalar>(shaded.edges[large]) : word(i);
+  };
+  const Whole column = whole<Whole>(load(places.x.data()));
+  const Whole row = whole<Whole>(load(places.y.data()));
+  const Place corner = place_of_block(block);
+  const auto left = static_cast<Scalar>(corner.x);
+  const auto top = static_cast<Scalar>(corner.y);
+  EdgeWalk<Whole> edges;
+  // From a row's last vector to the next row's first, or, where a vector has two rows, two down.
+  constexpr auto rows = static_cast<Scalar>(std::max(lanes / 8, 1));
+  constexpr auto left_behind = static_cast<Scalar>(std::max(8 - lanes, 0));
+  const auto set = [&](Scalar at_first, int x, int y, Whole& here, Whole& next, Whole& down) {
+    const Scalar right_step = 256 * word(x);
+    const Scalar down_step = 256 * word(y);
+    here = all(at_first + (right_step * left + down_step * top)) +
+           (column * all(right_step) + row * all(down_step));
+    next = all(lanes * right_step);
+    down = all(rows * down_step - left_behind * right_step);
+  };
+  set(known(word::edge1, 0), word::step1_x, word::step1_y, edges.e1, edges.next1, edges.down1);
+  set(known(word::edge2, 1), word::step2_x, word::step2_y, edges.e2, edges.next2, edges.down2);
+  edges.area = all(known(word::area, 2));
+  edges.ratio1 = Doubles(words[word::ratio1]);
+  edges.ratio2 = Doubles(words[word::ratio2]);
   return edges;
 }
 
-void VisibleTriangles::weigh(const VisiblePart& part, int block, BlockMask already,
-                             WeightsInBlock& weights) const {
-  const EdgesInBlock edges = edges_in_block(part.slot, block, std::countr_zero(part.mask));
-  const Doubles ratio1(record(part.slot)[word::ratio1]);
-  const Doubles ratio2(record(part.slot)[word::ratio2]);
+void VisibleTriangles::weigh_few(std::span<const VisiblePart> parts, int block,
+                                 WeightsInBlock& weights) const {
+  const VisiblePart& part = parts.front();
+  const VisiblePart& other = parts.back();
+  const bool is_large = triangle(part.slot).is_large;
+  const bool other_is_large = triangle(other.slot).is_large;
+  if (!is_large && !other_is_large) {
+    parts.size() == 1 ? weigh_one(part, block, weights) : weigh_two(part, other, block, weights);
+    return;
+  }
+  if (!is_large) weigh_one(part, block, weights);
+  if (!other_is_large) weigh_one(other, block, weights);
+  if (is_large) weigh_large(part, block, weights);
+  if (other_is_large && parts.size() > 1) weigh_large(other, block, weights);
+}
+
+void VisibleTriangles::weigh_one(const VisiblePart& part, int block,
+                                 WeightsInBlock& weights) const {
+  auto edges = walk<Ints>(part.slot, block);
   for (int first = 0; first < 64; first += lanes) {
-    const std::uint32_t here = lanes_at(part.mask, first);
-    if (here == 0) continue;
-    PixelWeights own = edges.at(first).weights(ratio1, ratio2);
-    if (lanes_at(already, first) != 0) {
-      const Truth chosen = truth_of(here);
-      const PixelWeights others = weights.at(first);
-      own = {select(chosen, own.b1, others.b1), select(chosen, own.b2, others.b2),
-             select(chosen, own.inverse, others.inverse)};
-    }
-    weights.set(first, own);
+    weights.set(first, edges.weights());
+    edges.step(first);
+  }
+}
+
+/// Whichever a pixel sees: with one division for both.
+void VisibleTriangles::weigh_two(const VisiblePart& part, const VisiblePart& other, int block,
+                                 WeightsInBlock& weights) const {
+  auto edges = walk<Ints>(part.slot, block);
+  auto other_edges = walk<Ints>(other.slot, block);
+  for (int first = 0; first < 64; first += lanes) {
+    const Truth is_other = truth_of(lanes_at(other.mask, first));
+    weights.set(first, edges.weights_beside(is_other, other_edges));
+    edges.step(first);
+    other_edges.step(first);
+  }
+}
+
+/// Beside the weights that are there.
+void VisibleTriangles::weigh_large(const VisiblePart& part, int block,
+                                   WeightsInBlock& weights) const {
+  auto edges = walk<Doubles>(part.slot, block);
+  for (int first = 0; first < 64; first += lanes) {
+    const Truth here = truth_of(lanes_at(part.mask, first));
+    const PixelWeights own = edges.weights();
+    const PixelWeights others = weights.at(first);
+    weights.set(first, {select(here, own.b1, others.b1), select(here, own.b2, others.b2),
+                        select(here, own.inverse, others.inverse)});
+    edges.step(first);
   }
 }
 
@@ -557,7 +643,7 @@ void VisibleTriangles::weigh_each(std::span<const VisiblePart> parts,
     weights.set(pixel, weights_of_each(EachRecord(words, numbers, pixel), block, pixel));
   }
   for (const VisiblePart& part : parts) {
-    if (triangle(part.slot).is_large) weigh(part, block, ~BlockMask{0}, weights);
+    if (triangle(part.slot).is_large) weigh_large(part, block, weights);
   }
 }
 
@@ -605,11 +691,50 @@ void write_row(const std::uint32_t* packed, Rgb8* row) {
 #endif
 }
 
+#if HWY_TARGET == HWY_AVX3
+/// Two rows of eight pixels, from one register.
+void write_two_rows(const std::uint32_t* packed, Rgb8* row, std::ptrdiff_t stride) {
+  alignas(16) static constexpr std::array<std::uint8_t, 16> three_of_four = {
+      0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255};
+  alignas(64) static constexpr std::array<std::int32_t, 16> six_of_eight = {
+      0, 1, 2, 4, 5, 6, 0, 0, 8, 9, 10, 12, 13, 14, 0, 0};
+  const IntTag tag;
+  const hn::Repartition<std::uint8_t, IntTag> bytes;
+  const HalfIntTag half;
+  const auto packed_bytes = hn::BitCast(bytes, hn::LoadU(UintTag(), packed));
+  const auto threes =
+      hn::TableLookupBytesOr0(packed_bytes, hn::LoadDup128(bytes, three_of_four.data()));
+  const auto rows =
+      hn::TableLookupLanes(hn::BitCast(tag, threes), hn::SetTableIndices(tag, six_of_eight.data()));
+  const auto six = hn::FirstN(half, 6);
+  hn::BlendedStore(hn::LowerHalf(half, rows), six, half, reinterpret_cast<std::int32_t*>(row));
+  hn::BlendedStore(hn::UpperHalf(half, rows), six, half,
+                   reinterpret_cast<std::int32_t*>(row + stride));
+}
+#endif
+
 }  // namespace
+
+void VisibleTriangles::prefetch_colors(int row) const {
+  for (int y = row * 8; y < std::min(row * 8 + 8, tile_.height); ++y) {
+    const auto* bytes = reinterpret_cast<const char*>(tile_.color + y * tile_.stride);
+    const int last = tile_.width * 3 - 1;
+    for (int at = 0; at < last; at += 64) __builtin_prefetch(bytes + at, 1);
+    __builtin_prefetch(bytes + last, 1);
+  }
+}
 
 void VisibleTriangles::write_colors(int block, const std::uint32_t* packed, BlockMask mask) const {
   const Place place = place_of_block(block);
   Rgb8* row = tile_.color + place.y * tile_.stride + place.x;
+#if HWY_TARGET == HWY_AVX3
+  if (mask == ~BlockMask{0}) {
+    for (int y = 0; y < 8; y += 2) {
+      write_two_rows(packed + y * 8, row + y * tile_.stride, tile_.stride);
+    }
+    return;
+  }
+#endif
   for (; mask != 0; mask >>= 8U, row += tile_.stride, packed += 8) {
     std::uint32_t here = static_cast<std::uint32_t>(mask) & 0xFFU;
     if (here == 0xFFU) {
