@@ -90,6 +90,11 @@ OracleNumber<Scalar> magnitude(OracleNumber<Scalar> a) {
   return a.value < 0 ? -a : a;
 }
 template <class Scalar>
+OracleNumber<Scalar> fused_multiply_add(OracleNumber<Scalar> a, OracleNumber<Scalar> b,
+                                        OracleNumber<Scalar> c) {
+  return a * b + c;
+}
+template <class Scalar>
 OracleNumber<Scalar> square_root(OracleNumber<Scalar> a) {
   return OracleNumber<Scalar>(root_of(a.value));
 }
