@@ -639,16 +639,14 @@ inline Doubles gather_doubles(const double* from, Ints index) {
 // ---------------------------------------------------------------------------------------------
 // Colours
 
-/// [0, 1] to 0…255 in the lowest byte, as to_byte() does; what the others are means nothing.
+/// [0, 1] to 0…255 as to_byte() does; not a number becomes 0.
 inline Ints byte_of_color(Number value) {
-  // Beside 2^23, the last bit of a float is worth 1, and the last byte the colour.
-  constexpr float first = 0x1p23F;
-  const Number beside = fused_multiply_add(maximum(value, Number(0)), Number(255), Number(first));
-  return minimum(bit_pattern(beside), bit_pattern(Number(first + 255)));
+  const Number inside = minimum(maximum(value, Number(0)), Number(1));
+  return to_whole(inside * Number(255) + Number(0.5F));
 }
 /// Per lane as pack_texel() does.
 inline Ints pack_color(Number red, Number green, Number blue) {
-  return moved_byte<0, 0>(byte_of_color(red)) | moved_byte<0, 1>(byte_of_color(green)) |
+  return byte_of_color(red) | moved_byte<0, 1>(byte_of_color(green)) |
          moved_byte<0, 2>(byte_of_color(blue));
 }
 

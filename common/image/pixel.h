@@ -47,11 +47,11 @@ struct Rgba16 {
   friend bool operator==(const Rgba16&, const Rgba16&) = default;
 };
 
-/// [0, 1] to 0…255, rounded to nearest, ½ up; below 0 and NaN become 0, above 1 becomes 255.
+/// [0, 1] to 0…255, rounded to nearest; below 0 and NaN become 0, above 1 becomes 255.
 inline std::uint8_t to_byte(float value) {
-  // In double, which holds the product exactly: as floats, it could round up to the next half.
+  // These operations, so that SIMD code can do the same.
   // NOLINTNEXTLINE(bugprone-incorrect-roundings)
-  return value > 0 ? static_cast<std::uint8_t>(std::min(value, 1.0F) * 255.0 + 0.5)
+  return value > 0 ? static_cast<std::uint8_t>(std::min(value, 1.0F) * 255.0F + 0.5F)
                    : std::uint8_t{0};
 }
 
