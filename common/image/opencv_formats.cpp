@@ -39,13 +39,12 @@ class CapturedStandardError {
   CapturedStandardError(const CapturedStandardError&) = delete;
   CapturedStandardError& operator=(const CapturedStandardError&) = delete;
 
-  /// The first line that was printed.
-  std::string first_line() const {
+  /// How what was printed starts.
+  std::string start() const {
     std::fflush(stderr);
     char text[512];
     const ssize_t size = file_ < 0 ? 0 : pread(file_, text, sizeof text, 0);
-    const std::string_view all(text, size < 0 ? 0 : static_cast<std::size_t>(size));
-    return std::string(all.substr(0, all.find('\n')));
+    return {text, size < 0 ? 0 : static_cast<std::size_t>(size)};
   }
 
  private:
@@ -58,6 +57,10 @@ class CapturedStandardError {
   int file_ = -1;
   int before_ = -1;
 };
+
+std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
+}
 
 unsigned byte_at(std::string_view bytes, std::size_t i) {
   return static_cast<unsigned char>(bytes[i]);
@@ -161,10 +164,21 @@ std::size_t next_marker(const Source& source, std::size_t position) {
   fail(source, "cut off: the end-of-image marker of a JPEG file is missing");
 }
 
+/// A scan without content takes a few bytes and costs a pass over all pixels: a small file can keep a
+/// reader busy for hours. Pictures that are built up gradually have 10 to 20 scans.
+void check_scans(const Source& source, const Claim& claim, std::int64_t scans) {
+  constexpr std::int64_t most_pixels = std::int64_t{1} << 34;  // 64 scans of the largest picture
+  if (scans > most_pixels / (claim.width * claim.height)) {
+    fail(source, "has " + std::to_string(scans) + " scans of " + std::to_string(claim.width) + "x" +
+                     std::to_string(claim.height) + " pixels, expected at most 2^34 pixels in all");
+  }
+}
+
 /// Walks over the segments to the last marker, end of image.
 void check_jpeg(const Source& source) {
   const std::string_view bytes = source.bytes;
   std::optional<Claim> claim;
+  std::int64_t scans = 0;
   for (std::size_t position = 2;;) {
     position = next_marker(source, position);
     const unsigned marker = byte_at(bytes, position++);
@@ -172,13 +186,15 @@ void check_jpeg(const Source& source) {
     check_not_cut_off(source, bytes.size(), position + 2);
     const std::size_t length = std::max(big_endian(bytes, position, 2), 2U);
     check_not_cut_off(source, bytes.size(), position + length);
-    if (is_frame_header(marker)) {
+    if (marker == 0xDA) ++scans;
+    if (is_frame_header(marker) && !claim) {
       claim = jpeg_claim(source, marker, bytes.substr(position + 2, length - 2));
     }
     position += length;
   }
   if (!claim) fail(source, "damaged: a JPEG file needs a frame header");
   check_claim(source, *claim, bytes.size());
+  check_scans(source, *claim, scans);
 }
 
 /// Whether libjpeg's complaint means that pixels were lost.
@@ -265,9 +281,9 @@ AnyImage decode_by_opencv(const Source& source, const char* format, int flags) {
     const cv::Mat bytes(1, static_cast<int>(source.bytes.size()), CV_8U,
                         const_cast<char*>(source.bytes.data()));  // NOLINT: only read
     picture = codecs().decode(bytes, flags);
-    complaint = captured.first_line();
+    complaint = first_line(captured.start());
   } catch (const std::exception& error) {
-    complaint = error.what();
+    complaint = first_line(error.what());
   }
   if (picture.empty() || tells_of_lost_pixels(complaint)) {
     fail(source, std::string("damaged: its ") + format + " data cannot be decoded" +

@@ -224,6 +224,21 @@ TEST_F(stage01_image_bad_files, damaged_data_with_whole_structure) {
   EXPECT_THAT(error_of("a.jpg", jpeg), HasSubstr("damaged"));
 }
 
+TEST_F(stage01_image_bad_files, jpeg_scans_that_never_end) {
+  std::string jpeg = encoded("a.jpg", many_colors(64, 64));
+  const std::size_t frame = jpeg.find("\xff\xc0");
+  put_big_endian(jpeg, frame + 5, 2048, 2);
+  put_big_endian(jpeg, frame + 7, 2048, 2);
+  const std::string scan_header = jpeg.substr(jpeg.find("\xff\xda"), 14);
+  const auto with_scans = [&](int count) {
+    std::string many = jpeg.substr(0, jpeg.size() - 2);
+    for (int i = 1; i < count; ++i) many += scan_header;
+    return error_of("a.jpg", many + "\xff\xd9");
+  };
+  EXPECT_THAT(with_scans(4096), HasSubstr("damaged"));
+  EXPECT_THAT(with_scans(4097), HasSubstr("has 4097 scans of 2048x2048 pixels"));
+}
+
 TEST_F(stage01_image_bad_files, tga_headers_that_cannot_be) {
   const std::string whole = encoded("a.tga", many_colors(4, 4), {.run_length = false});
   const auto with = [&](std::size_t position, int value) {
