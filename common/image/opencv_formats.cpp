@@ -164,8 +164,8 @@ std::size_t next_marker(const Source& source, std::size_t position) {
   fail(source, "cut off: the end-of-image marker of a JPEG file is missing");
 }
 
-/// A scan without content takes a few bytes and costs a pass over all pixels: a small file can keep a
-/// reader busy for hours. Pictures that are built up gradually have 10 to 20 scans.
+/// A scan without content takes a few bytes and costs a pass over all pixels: a small file can keep
+/// a reader busy for hours. Pictures that are built up gradually have 10 to 20 scans.
 void check_scans(const Source& source, const Claim& claim, std::int64_t scans) {
   constexpr std::int64_t most_pixels = std::int64_t{1} << 34;  // 64 scans of the largest picture
   if (scans > most_pixels / (claim.width * claim.height)) {
