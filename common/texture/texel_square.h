@@ -1,0 +1,56 @@
+// The four texels about a point, found and fetched, which is most of what a blend of them costs:
+// wide Numbers have a quicker way where a texture is magnified.
+#pragma once
+
+#include "common/texture/texture.h"
+#include "common/texture/wrap.h"
+
+namespace rasterlab {
+
+/// Where between the centres of which two texels along one axis a point lies.
+template <class Number>
+struct TexelPair {
+  Number first;  ///< the other is the next one; each may be one beyond an edge
+  Number part;   ///< how far it is from the first to the next
+};
+
+template <class Number>
+TexelPair<Number> texel_pair(const Number& coordinate, const Number& size, Wrap wrap) {
+  const Number from_center = wrap_coordinate(coordinate, wrap) * size - Number(0.5F);
+  const Number first = round_down(from_center);
+  return {first, from_center - first};
+}
+
+/// The four texels whose centres surround a point, and where between them it lies.
+template <class Number>
+struct TexelSquare {
+  std::array<Vector3<Number>, 4> texels;  ///< 0 to 255: lower left, lower right, upper left, …
+  Number right;                           ///< how far the point is from the left to the right ones
+  Number up;                              ///< and from the lower to the upper ones
+};
+
+/// Of (u, v) in one level; beyond an edge there is what `wrap` says.
+template <class Number>
+TexelSquare<Number> texel_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
+                                 const Number& level_index) {
+  if constexpr (Texture::finds_near_texels<Number>) {
+    // Most pixels are answered here; what isn't at an edge needs no wrapping.
+    if (!any(level_index > Number(0))) {
+      const auto from_center = [](const Number& coordinate, int size) {
+        return coordinate * Number(static_cast<float>(size)) - Number(0.5F);
+      };
+      const Number x = from_center(uv.x(), texture.width());
+      const Number y = from_center(uv.y(), texture.height());
+      const Number left = round_down(x);
+      const Number low = round_down(y);
+      std::array<Vector3<Number>, 4> texels;
+      if (texture.find_near_texels(left, low, texels)) return {texels, x - left, y - low};
+    }
+  }
+  const auto level = texture.level(level_index);
+  const auto column = texel_pair(uv.x(), level.width, wrap);
+  const auto row = texel_pair(uv.y(), level.height, wrap);
+  return {texture.texels(level, column.first, row.first, wrap), column.part, row.part};
+}
+
+}  // namespace rasterlab
