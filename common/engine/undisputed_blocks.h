@@ -83,17 +83,14 @@ class UndisputedBlocks {
   /// pixel, or when there is no room. `block_far` stays what no depth in the block is less than.
   bool add(int block, BlockMask pixels, DepthBounds depths, std::int32_t plane, float& block_far) {
     Block& b = at(block);
-    if ((pixels & b.covered) != 0) {
-      if (depths.near < b.depths.far) {
-        pixels &= ~b.covered;
-        if (pixels == 0) return true;
-      } else if (depths.far > b.depths.near) {
-        b.uncover(pixels);
-      } else {
-        return false;
-      }
-    }
+    const BlockMask shared = pixels & b.covered;
+    const bool behind = depths.near < b.depths.far;
+    const bool in_front = depths.far > b.depths.near;
+    if (shared != 0 && !behind && !in_front) return false;
+    if (behind) pixels &= ~shared;
+    if (pixels == 0) return true;
     if (b.count == most_parts) return false;
+    if (shared != 0 && in_front) b.uncover(pixels);
     b.part[b.count++] = {pixels, plane};
     b.covered |= pixels;
     b.depths = {std::min(b.depths.far, depths.far), std::max(b.depths.near, depths.near)};
@@ -110,17 +107,19 @@ class UndisputedBlocks {
 
  private:
   static constexpr std::size_t most_parts = 8;
+  /// Of a block without parts: joined with a part's, they are just those.
+  static constexpr DepthBounds no_depths = {2, 0};
 
   struct Block {
     std::size_t count = 0;
     BlockMask covered = 0;
-    DepthBounds depths = {2, 0};  ///< of all parts
+    DepthBounds depths = no_depths;  ///< of all parts
     std::array<Part, most_parts> part;
 
     void clear() {
       count = 0;
       covered = 0;
-      depths = {2, 0};
+      depths = no_depths;
     }
     void uncover(BlockMask pixels) {
       for (Part& one : std::span(part).first(count)) one.pixels &= ~pixels;

@@ -146,6 +146,7 @@ class VisibleTriangles {
   /// Asks for the memory of the colours of a row of blocks, so that it is near when they are
   /// written.
   void prefetch_colors(int row_of_blocks) const;
+  /// Of the tile's.
   int blocks_per_row() const { return tile_.blocks_per_row(); }
 
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
