@@ -1,6 +1,7 @@
 // Which triangles go to the bins of which tiles, and how they will be drawn there.
 #pragma once
 
+#include "common/engine/depth_bounds.h"
 #include "common/engine/hidden_clusters.h"
 #include "common/engine/kernels.h"
 #include "common/engine/window_vertex.h"
@@ -188,8 +189,7 @@ class Binning {
     };
     const Number above = minimum(far(left_, top_), far(right_, top_));
     const Number below = minimum(far(left_, bottom_), far(right_, bottom_));
-    const Number nearest = maximum(maximum(depth[0], depth[1]), depth[2]);
-    return asked && minimum(above, below) > nearest * Number(1.000001F);
+    return asked && minimum(above, below) > bounds_of(depth).near;
   }
 
   /// Where a framebuffer keeps what belongs to the block in column x and row y of the picture's.
@@ -212,7 +212,8 @@ class Binning {
 
   void add_packed(std::size_t lane, std::uint32_t key, ChunkList<PackedTriangles> TileBin::*kind,
                   std::uint32_t worth) {
-    const float nearest = std::max({depth_[0][lane], depth_[1][lane], depth_[2][lane]}) * 1.000001F;
+    const float nearest =
+        bounds_of(std::array{depth_[0][lane], depth_[1][lane], depth_[2][lane]}).near;
     for (int ty = top_[lane] >> tile_shift_; ty <= bottom_[lane] >> tile_shift_; ++ty) {
       for (int tx = left_[lane] >> tile_shift_; tx <= right_[lane] >> tile_shift_; ++tx) {
         const int tile = ty * tiles_x_ + tx;

@@ -42,9 +42,30 @@ inline PixelOffset place_of_block(const Tile& tile, int block) {
   return {(block & (tile.blocks_per_row() - 1)) * 8, (block >> std::countr_zero(per_row)) * 8};
 }
 
+/// How something linear changes over a block, from vector to vector.
+template <class Values>
+struct BlockSteps {
+  Values first;        ///< over the lanes of a block's first vector
+  Values along;        ///< to the next one in the same row
+  Values to_next_row;  ///< to the next one when that begins a row
+
+  BlockSteps() = default;
+  /// `change(way)` is how much it changes along a PixelOffset.
+  template <class Change>
+  BlockSteps(const Change& change, Values over_lanes)
+      : first(over_lanes),
+        along(change(PixelOffset{lanes, 0})),
+        to_next_row(change(PixelOffset{lanes < 8 ? lanes - 8 : 0, lanes < 8 ? 1 : lanes / 8})) {}
+
+  /// In the vector after vector `g`, which has `values`.
+  Values after(int g, Values values) const {
+    return values + ((g + 1) * lanes % 8 == 0 ? to_next_row : along);
+  }
+};
+
 /// Blocks that a box of pixels reaches into; left ≤ right and top ≤ bottom, all in the tile.
 inline BlockMask blocks_in_bounds(const Tile& tile, int left, int right, int top, int bottom) {
-  const auto ones = [](int count) { return ~BlockMask{0} >> (64 - count); };
+  const auto ones = [](int count) { return all_64 >> (64 - count); };
   const int per_row = tile.blocks_per_row();
   const BlockMask first_of_rows = ones(tile.block_count()) / ones(per_row);
   const BlockMask columns = (ones(right / 8 - left / 8 + 1) << (left / 8)) * first_of_rows;

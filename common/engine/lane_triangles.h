@@ -1,6 +1,7 @@
 // Triangles of bins set up, as many at once as there are lanes.
 #pragma once
 
+#include "common/engine/depth_bounds.h"
 #include "common/engine/kernels.h"
 #include "common/engine/simd.h"
 
@@ -70,17 +71,14 @@ struct LaneEdge {
 /// From edge functions 1 and 2 to depth.
 struct LaneDepth {
   Number d0, k1, k2;
-  Number nearest;   ///< not less than the depth of any pixel
-  Number farthest;  ///< not more
+  DepthBounds<Number> bounds;
 
-  LaneDepth(const LaneCorners& c, const std::array<Number, 3>& depth) : d0(depth[0]) {
+  LaneDepth(const LaneCorners& c, const std::array<Number, 3>& depth)
+      : d0(depth[0]), bounds(bounds_of(depth)) {
     const Ints area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
     const Doubles inverse = Doubles(1) / to_doubles(area);
     k1 = to_number((to_doubles(depth[1]) - to_doubles(d0)) * inverse);
     k2 = to_number((to_doubles(depth[2]) - to_doubles(d0)) * inverse);
-    const Number largest = maximum(maximum(d0, depth[1]), depth[2]);
-    nearest = largest * Number(1.000001F);
-    farthest = minimum(minimum(d0, depth[1]), depth[2]) - largest * Number(1e-6F);
   }
 
   Number at(Ints e1, Ints e2) const { return d0 + (as_numbers(e1) * k1 + as_numbers(e2) * k2); }

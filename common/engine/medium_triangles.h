@@ -17,7 +17,7 @@ struct MediumLanes {
   std::array<Values, 3> step_x;
   std::array<Values, 3> step_y;
   Values left, right, top, bottom;
-  Numbers d0, k1, k2, nearest, farthest;
+  Numbers d0, k1, k2, far, near;
 
   MediumLanes(const PackedTriangles& triangles, int from, const Tile& tile) {
     const LaneCorners corners = unpack_corners(triangles, from);
@@ -37,8 +37,8 @@ struct MediumLanes {
     store(depth.d0, d0.data());
     store(depth.k1, k1.data());
     store(depth.k2, k2.data());
-    store(depth.nearest, nearest.data());
-    store(depth.farthest, farthest.data());
+    store(depth.bounds.near, near.data());
+    store(depth.bounds.far, far.data());
   }
 };
 
@@ -52,7 +52,7 @@ class MediumTriangle {
         top_(t.top[lane]),
         bottom_(t.bottom[lane]),
         key_(static_cast<std::int32_t>(key)),
-        bounds_{t.farthest[lane], t.nearest[lane]},
+        bounds_{t.far[lane], t.near[lane]},
         plane_{.key = key,
                .is_short = true,
                .d0 = t.d0[lane],
@@ -178,7 +178,7 @@ class MediumTriangle {
   const Tile& tile_;
   int left_, right_, top_, bottom_;
   Ints key_;
-  DepthBounds bounds_;
+  DepthBounds<float> bounds_;
   DepthPlane plane_;
   std::int32_t plane_number_ = -1;  ///< of the tile's undisputed blocks
   Number d0_, k1_, k2_;
@@ -197,7 +197,7 @@ inline void draw_medium(const Tile& tile, const PackedTriangles& triangles, bool
       if (t.left[lane] > t.right[lane] || t.top[lane] > t.bottom[lane]) continue;
       BlockMask open =
           blocks_in_bounds(tile, t.left[lane], t.right[lane], t.top[lane], t.bottom[lane]);
-      if (skip_hidden) open = without_hidden(tile, open, t.nearest[lane], statistics);
+      if (skip_hidden) open = without_hidden(tile, open, t.near[lane], statistics);
       if (open == 0) continue;
       const std::uint32_t key = triangles.key[static_cast<std::size_t>(from) + lane];
       drawn |= MediumTriangle(tile, t, lane, key).draw(open);

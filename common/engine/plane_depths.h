@@ -6,27 +6,6 @@
 
 namespace rasterlab::RASTERLAB_SIMD {
 
-/// How something linear changes over a block, from vector to vector.
-template <class Values>
-struct BlockSteps {
-  Values first;        ///< over the lanes of a block's first vector
-  Values along;        ///< to the next one in the same row
-  Values to_next_row;  ///< to the next one when that begins a row
-
-  BlockSteps() = default;
-  /// `change(way)` is how much it changes along a PixelOffset.
-  template <class Change>
-  BlockSteps(const Change& change, Values over_lanes)
-      : first(over_lanes),
-        along(change(PixelOffset{lanes, 0})),
-        to_next_row(change(PixelOffset{lanes < 8 ? lanes - 8 : 0, lanes < 8 ? 1 : lanes / 8})) {}
-
-  /// In the vector after vector `g`, which has `values`.
-  Values after(int g, Values values) const {
-    return values + ((g + 1) * lanes % 8 == 0 ? to_next_row : along);
-  }
-};
-
 inline std::int64_t change(const DepthPlane::Edge& edge, PixelOffset way) {
   return 256 * (static_cast<std::int64_t>(edge.step_x) * way.x +
                 static_cast<std::int64_t>(edge.step_y) * way.y);
@@ -65,14 +44,11 @@ class PlaneDepths {
     }
   }
 
-  struct Bounds {
-    Number far, near;
-  };
   /// Of blocks that the triangle covers wholly, a vector of them, with their first pixels at
   /// (x, y). Whatever is rounded is rounded the same way for neighbouring numbers, so that depth
   /// only grows, or only falls, with either edge function: nothing in a block is farther or nearer
   /// than where each of them is least or largest.
-  Bounds in_blocks(Ints x, Ints y) const {
+  DepthBounds<Number> in_blocks(Ints x, Ints y) const {
     const auto edge = [&](std::size_t i, bool largest) {
       const DepthPlane::Edge& e = plane_->edge[i];
       const PixelOffset way = {(e.step_x > 0) == largest ? 7 : 0,

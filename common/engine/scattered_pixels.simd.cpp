@@ -32,7 +32,7 @@ bool VisibleTriangles::are_scattered(int block, BlockMask seen) const {
 void VisibleTriangles::add_scattered(int block, BlockMask seen) {
   ScatteredPixels& all = scratch_.scattered;
   all.in_block[static_cast<std::size_t>(block)] = seen;
-  const Place place = place_of_block(block);
+  const PixelOffset place = place_of_block(tile_, block);
   const std::uint32_t* key = tile_.key + block * 64;
   for (int pixel = 0; pixel < 64; pixel += lanes) {
     const std::uint32_t here = lanes_at(seen, pixel);

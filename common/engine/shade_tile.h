@@ -264,7 +264,7 @@ class TileShading {
   /// In these pixels of a block. Where there are none, anything: lanes beside those that are
   /// wanted.
   static SomeParts seen_in(Parts varying, int first, int count) {
-    const BlockMask pixels = (~BlockMask{0} >> (64 - count)) << first;
+    const BlockMask pixels = (all_64 >> (64 - count)) << first;
     SomeParts here;
     for (const VisiblePart& part : varying) {
       const BlockMask mask = part.mask & pixels;

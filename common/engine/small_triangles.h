@@ -39,7 +39,7 @@ inline SmallLanes load_small(const PackedTriangles& triangles, int from, const T
   const Ints py = shift_left<8>(bounds.top) + Ints(128);
   const LaneDepth depth(corners, load_depths(triangles, from));
   Truth present = first_lanes(std::min(triangles.count - from, lanes));
-  if (skip_hidden) present = present && !hidden_lanes(tile, bounds, depth.nearest);
+  if (skip_hidden) present = present && !hidden_lanes(tile, bounds, depth.bounds.near);
   return {
       bounds.left,
       bounds.top,

@@ -68,7 +68,7 @@ void draw_slivers(const Tile& tile, std::span<Worker> workers, Worker& worker, H
   });
   find_in_tile(slivers, tile, worker.thin_sorted);
   if (worker.thin_sorted.empty()) return;
-  give_pixels(tile, ~BlockMask{0});
+  give_pixels(tile, all_64);
   if (!tile.has_keys() || worker.thin_sorted.size() < enough_for_words) {
     draw_thin(tile, worker.thin_sorted, [&](std::int32_t place, std::int64_t word) {
       hits.write_one(place, depth_of_word(word), key_of_word(word));
@@ -107,7 +107,7 @@ void draw_tile(const DrawJob& job, const Tile& tile, std::span<Worker> workers, 
   draw_slivers(tile, workers, worker, hits);
   const auto smalls = [](const TileBin& bin) { return bin.small; };
   for_each_chunk(workers, index, smalls, [&](const PackedTriangles& chunk) {
-    give_pixels(tile, ~BlockMask{0});
+    give_pixels(tile, all_64);
     draw_small(tile, chunk, skip_hidden, hits);
     update_far(tile, hits.take_written_blocks());
   });
@@ -121,7 +121,7 @@ namespace {
 const DepthPlane* only_plane(const Tile& tile, int block) {
   if (tile.undisputed == nullptr || !tile.undisputed->has(block)) return nullptr;
   const auto parts = tile.undisputed->parts(block);
-  if (parts.size() != 1 || parts[0].pixels != all_pixels) return nullptr;
+  if (parts.size() != 1 || parts[0].pixels != all_64) return nullptr;
   return &tile.undisputed->plane_of(parts[0]);
 }
 

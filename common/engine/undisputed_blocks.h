@@ -2,6 +2,8 @@
 // a triangle number for each pixel, only which pixels each triangle has.
 #pragma once
 
+#include "common/engine/depth_bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -14,7 +16,8 @@ namespace rasterlab {
 /// a tile.
 using BlockMask = std::uint64_t;
 
-inline constexpr BlockMask all_pixels = ~BlockMask{0};
+/// Every pixel of a block, or every block of the largest tile.
+inline constexpr BlockMask all_64 = ~BlockMask{0};
 
 /// A triangle's depth all over a tile: d0 + (E1·k1 + E2·k2), with its edge functions 1 and 2.
 struct DepthPlane {
@@ -30,18 +33,6 @@ struct DepthPlane {
   std::array<Edge, 2> edge;
 };
 
-/// Of some pixels of one triangle: no depth is less than `far` or more than `near`.
-struct DepthBounds {
-  float far, near;
-};
-
-/// Of a whole triangle's pixels, from its corners' depths: a pixel's is within 5 half units in the
-/// last place of the largest of them.
-inline DepthBounds bounds_of(const std::array<float, 3>& depth) {
-  const float near = std::max({depth[0], depth[1], depth[2]});
-  return {std::min({depth[0], depth[1], depth[2]}) - 1e-6F * near, near * 1.000001F};
-}
-
 /// A tile's.
 class UndisputedBlocks {
  public:
@@ -53,7 +44,7 @@ class UndisputedBlocks {
 
   /// No triangle is drawn in any of the tile's blocks.
   void begin(int blocks) {
-    mask_ = all_pixels >> (64 - blocks);
+    mask_ = all_64 >> (64 - blocks);
     for (int block = 0; block < blocks; ++block) at(block).clear();
     planes_.clear();
   }
@@ -81,20 +72,23 @@ class UndisputedBlocks {
   /// Draws pixels of one triangle, whose depths are above 0 and within the bounds. False, and
   /// nothing is drawn, when some of them are another's and which is nearer must be asked pixel by
   /// pixel, or when there is no room. `block_far` stays what no depth in the block is less than.
-  bool add(int block, BlockMask pixels, DepthBounds depths, std::int32_t plane, float& block_far) {
+  bool add(int block, BlockMask pixels, DepthBounds<float> depths, std::int32_t plane,
+           float& block_far) {
     Block& b = at(block);
-    const BlockMask shared = pixels & b.covered;
-    const bool behind = depths.near < b.depths.far;
-    const bool in_front = depths.far > b.depths.near;
-    if (shared != 0 && !behind && !in_front) return false;
-    if (behind) pixels &= ~shared;
-    if (pixels == 0) return true;
+    bool in_front = false;
+    if ((pixels & b.covered) != 0) {
+      const bool behind = depths.near < b.depths.far;
+      in_front = depths.far > b.depths.near;
+      if (!behind && !in_front) return false;
+      if (behind) pixels &= ~b.covered;
+      if (pixels == 0) return true;
+    }
     if (b.count == most_parts) return false;
-    if (shared != 0 && in_front) b.uncover(pixels);
+    if (in_front) b.uncover(pixels);
     b.part[b.count++] = {pixels, plane};
     b.covered |= pixels;
     b.depths = {std::min(b.depths.far, depths.far), std::max(b.depths.near, depths.near)};
-    if (b.covered == all_pixels) block_far = b.depths.far;
+    if (b.covered == all_64) block_far = b.depths.far;
     return true;
   }
 
@@ -108,12 +102,12 @@ class UndisputedBlocks {
  private:
   static constexpr std::size_t most_parts = 8;
   /// Of a block without parts: joined with a part's, they are just those.
-  static constexpr DepthBounds no_depths = {2, 0};
+  static constexpr DepthBounds<float> no_depths = {2, 0};
 
   struct Block {
     std::size_t count = 0;
     BlockMask covered = 0;
-    DepthBounds depths = no_depths;  ///< of all parts
+    DepthBounds<float> depths = no_depths;  ///< of all parts
     std::array<Part, most_parts> part;
 
     void clear() {

@@ -152,14 +152,6 @@ class VisibleTriangles {
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;
 
-  /// A block's place in the tile.
-  struct Place {
-    int x, y;
-  };
-  Place place_of_block(int block) const {
-    return {(block & (tile_.blocks_per_row() - 1)) * 8, (block >> blocks_shift_) * 8};
-  }
-
  private:
   struct CornerLanes;
   struct TriangleLanes;
@@ -215,7 +207,6 @@ class VisibleTriangles {
   const Mesh& mesh_;
   const Tile& tile_;
   const CornerVaryings& varyings_;
-  int blocks_shift_;
   std::size_t slot_count_ = 0;
   ShadingScratch& scratch_;
   Statistics& statistics_;

@@ -14,7 +14,6 @@ VisibleTriangles::VisibleTriangles(const DrawJob& job, const Tile& tile,
       mesh_(job.mesh->mesh()),
       tile_(tile),
       varyings_(varyings),
-      blocks_shift_(std::countr_zero(static_cast<unsigned>(tile.blocks_per_row()))),
       scratch_(worker.scratch),
       statistics_(worker.statistics) {}
 
@@ -126,7 +125,7 @@ void VisibleTriangles::collect_block(int block) {
 
 /// Tiles may reach beyond the picture.
 BlockMask VisibleTriangles::inside(int block) const {
-  const Place place = place_of_block(block);
+  const PixelOffset place = place_of_block(tile_, block);
   const int columns = std::clamp(tile_.width - place.x, 0, 8);
   const int rows = std::clamp(tile_.height - place.y, 0, 8);
   if (columns == 0 || rows == 0) return 0;
@@ -451,7 +450,7 @@ void VisibleTriangles::divide_clipped_triangles(std::span<const PartOfClipped> c
 
 /// Boundaries included: the depth pass has decided already that the pixel is this triangle's.
 BlockMask VisibleTriangles::covered(const std::array<SnappedCorner, 3>& corner, int block) const {
-  const Place place = place_of_block(block);
+  const PixelOffset place = place_of_block(tile_, block);
   const double side = twice_area(corner[0], corner[1], corner[2]) > 0 ? 1 : -1;
   BlockMask mask = 0;
   for (int first = 0; first < 64; first += lanes) {
@@ -488,30 +487,27 @@ Whole whole(Ints value) {
 
 }  // namespace
 
-/// A triangle's edge functions, exactly, for a vector of a block's pixels and then for the next.
-/// `Whole` is Ints, modulo 2^32, or, for large triangles, Doubles.
+/// A triangle's edge functions 1 and 2, exactly, for a vector of a block's pixels and then for the
+/// next. `Whole` is Ints, modulo 2^32, or, for large triangles, Doubles.
 template <class Whole>
 struct VisibleTriangles::EdgeWalk {
-  Whole e1, e2;
-  Whole next1, next2;  ///< how much more they are for the next vector of a row
-  Whole down1, down2;  ///< for the first of the next row, or rows
+  std::array<Whole, 2> e;
+  std::array<BlockSteps<Whole>, 2> steps;
   Whole area;
   Doubles ratio1, ratio2;
 
-  void step(int first) {
-    const bool row_ends = lanes >= 8 || (first + lanes) % 8 == 0;
-    e1 = e1 + (row_ends ? down1 : next1);
-    e2 = e2 + (row_ends ? down2 : next2);
+  /// From the vector that begins with pixel `first` to the next.
+  void move_on(int first) {
+    for (std::size_t i = 0; i < 2; ++i) e[i] = steps[i].after(first / lanes, e[i]);
   }
   PixelWeights weights() const {
-    const Edges edges = {to_doubles(area - (e1 + e2)), to_doubles(e1), to_doubles(e2)};
+    const Edges edges = {to_doubles(area - (e[0] + e[1])), to_doubles(e[0]), to_doubles(e[1])};
     return edges.weights(ratio1, ratio2);
   }
   /// Where pixels see another triangle, what that has there.
   PixelWeights weights_beside(Truth is_other, const EdgeWalk& other) const {
     EdgeWalk both;
-    both.e1 = select(is_other, other.e1, e1);
-    both.e2 = select(is_other, other.e2, e2);
+    for (std::size_t i = 0; i < 2; ++i) both.e[i] = select(is_other, other.e[i], e[i]);
     both.area = select(is_other, other.area, area);
     both.ratio1 = select(is_other, other.ratio1, ratio1);
     both.ratio2 = select(is_other, other.ratio2, ratio2);
@@ -541,23 +537,20 @@ HWY_INLINE VisibleTriangles::EdgeWalk<Whole> VisibleTriangles::walk(std::int32_t
   };
   const Whole column = whole<Whole>(load(places.x.data()));
   const Whole row = whole<Whole>(load(places.y.data()));
-  const Place corner = place_of_block(block);
-  const auto left = static_cast<Scalar>(corner.x);
-  const auto top = static_cast<Scalar>(corner.y);
+  const PixelOffset corner = place_of_block(tile_, block);
   EdgeWalk<Whole> edges;
-  // From a row's last vector to the next row's first, or, where a vector has two rows, two down.
-  constexpr auto rows = static_cast<Scalar>(std::max(lanes / 8, 1));
-  constexpr auto left_behind = static_cast<Scalar>(std::max(8 - lanes, 0));
-  const auto set = [&](Scalar at_first, int x, int y, Whole& here, Whole& next, Whole& down) {
-    const Scalar right_step = 256 * word(x);
-    const Scalar down_step = 256 * word(y);
-    here = all(at_first + (right_step * left + down_step * top)) +
-           (column * all(right_step) + row * all(down_step));
-    next = all(lanes * right_step);
-    down = all(rows * down_step - left_behind * right_step);
+  const auto set = [&](std::size_t i, Scalar at_first, int step_x, int step_y) {
+    const Scalar right = 256 * word(step_x);
+    const Scalar down = 256 * word(step_y);
+    const auto change = [&](PixelOffset way) {
+      return right * static_cast<Scalar>(way.x) + down * static_cast<Scalar>(way.y);
+    };
+    edges.steps[i] = BlockSteps<Whole>([&](PixelOffset way) { return all(change(way)); },
+                                       column * all(right) + row * all(down));
+    edges.e[i] = all(at_first + change(corner)) + edges.steps[i].first;
   };
-  set(known(word::edge1, 0), word::step1_x, word::step1_y, edges.e1, edges.next1, edges.down1);
-  set(known(word::edge2, 1), word::step2_x, word::step2_y, edges.e2, edges.next2, edges.down2);
+  set(0, known(word::edge1, 0), word::step1_x, word::step1_y);
+  set(1, known(word::edge2, 1), word::step2_x, word::step2_y);
   edges.area = all(known(word::area, 2));
   edges.ratio1 = Doubles(words[word::ratio1]);
   edges.ratio2 = Doubles(words[word::ratio2]);
@@ -585,7 +578,7 @@ void VisibleTriangles::weigh_one(const VisiblePart& part, int block,
   auto edges = walk<Ints>(part.slot, block);
   for (int first = 0; first < 64; first += lanes) {
     weights.set(first, edges.weights());
-    edges.step(first);
+    edges.move_on(first);
   }
 }
 
@@ -597,8 +590,8 @@ void VisibleTriangles::weigh_two(const VisiblePart& part, const VisiblePart& oth
   for (int first = 0; first < 64; first += lanes) {
     const Truth is_other = truth_of(lanes_at(other.mask, first));
     weights.set(first, edges.weights_beside(is_other, other_edges));
-    edges.step(first);
-    other_edges.step(first);
+    edges.move_on(first);
+    other_edges.move_on(first);
   }
 }
 
@@ -612,7 +605,7 @@ void VisibleTriangles::weigh_large(const VisiblePart& part, int block,
     const PixelWeights others = weights.at(first);
     weights.set(first, {select(here, own.b1, others.b1), select(here, own.b2, others.b2),
                         select(here, own.inverse, others.inverse)});
-    edges.step(first);
+    edges.move_on(first);
   }
 }
 
@@ -648,7 +641,7 @@ void VisibleTriangles::weigh_each(std::span<const VisiblePart> parts,
 }
 
 PixelWeights VisibleTriangles::weights_of_each(const EachRecord& r, int block, int first) const {
-  const Place place = place_of_block(block);
+  const PixelOffset place = place_of_block(tile_, block);
   const Ints pixel = iota(first);
   const Ints x = (pixel & Ints(7)) + Ints(place.x);
   const Ints y = shift_right<3>(pixel) + Ints(place.y);
@@ -725,10 +718,10 @@ void VisibleTriangles::prefetch_colors(int row) const {
 }
 
 void VisibleTriangles::write_colors(int block, const std::uint32_t* packed, BlockMask mask) const {
-  const Place place = place_of_block(block);
+  const PixelOffset place = place_of_block(tile_, block);
   Rgb8* row = tile_.color + place.y * tile_.stride + place.x;
 #if HWY_TARGET == HWY_AVX3
-  if (mask == ~BlockMask{0}) {
+  if (mask == all_64) {
     for (int y = 0; y < 8; y += 2) {
       write_two_rows(packed + y * 8, row + y * tile_.stride, tile_.stride);
     }

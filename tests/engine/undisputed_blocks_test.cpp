@@ -17,7 +17,7 @@ class engine_undisputed_blocks : public testing::Test {
  protected:
   engine_undisputed_blocks() { blocks_.begin(1); }
 
-  bool add(BlockMask pixels, DepthBounds depths, std::int32_t plane) {
+  bool add(BlockMask pixels, DepthBounds<float> depths, std::int32_t plane) {
     return blocks_.add(0, pixels, depths, plane, far_);
   }
   /// Which plane each part shows, and where.
@@ -41,7 +41,7 @@ TEST_F(engine_undisputed_blocks, nearer_ones_take_pixels_and_farther_ones_get_th
   EXPECT_THAT(parts(), testing::ElementsAre(testing::Pair(0, row(0)), testing::Pair(1, row(1)),
                                             testing::Pair(2, rest)));
   EXPECT_EQ(far_, 0);
-  EXPECT_TRUE(add(all_pixels, {0.1F, 0.15F}, 3));
+  EXPECT_TRUE(add(all_64, {0.1F, 0.15F}, 3));
   EXPECT_EQ(far_, 0.1F);
 }
 
