@@ -49,10 +49,13 @@ struct Kinds {
   std::array<std::int32_t, lanes> width;  ///< of thin ones, in whole pixels
 };
 
-inline Kinds kinds_of(const Triangles& t, Number area, Truth few_samples) {
+inline Kinds kinds_of(const Triangles& t, Number area, Truth alive, const SampleBounds& bounds) {
+  const Ints side = maximum(bounds.right - bounds.left, bounds.bottom - bounds.top);
+  const Truth compact = side < Ints(PackedTriangles::max_compact_side);
   Kinds kinds;
-  kinds.small = bits(few_samples);
-  if (all(few_samples)) return kinds;
+  kinds.small = bits(side < Ints(PackedTriangles::max_small_side));
+  kinds.medium = bits(compact) & ~kinds.small;
+  if (all(compact || !alive)) return kinds;
   const auto reach = [](const std::array<Ints, 3>& a) {
     return as_numbers(maximum(maximum(a[0], a[1]), a[2]) - minimum(minimum(a[0], a[1]), a[2]));
   };
@@ -63,11 +66,10 @@ inline Kinds kinds_of(const Triangles& t, Number area, Truth few_samples) {
   const Number across = magnitude(area) / (longer * Number(256)) + Number(1.0F / 64);
   constexpr auto widest = static_cast<float>(LargeTriangle::max_thin_width);
   constexpr float below_2_to_31 = 2147483000.0F;
-  kinds.thin =
-      bits(across < Number(widest) && width * height <= Number(below_2_to_31)) & ~kinds.small;
+  kinds.thin = bits(!compact && across < Number(widest) && width * height <= Number(below_2_to_31));
   store(to_whole(minimum(across, Number(widest))), kinds.width.data());
-  kinds.medium = bits(longer <= Number(256.0F * PackedTriangles::max_medium_side)) & ~kinds.small &
-                 ~kinds.thin;
+  kinds.medium |=
+      bits(!compact && longer <= Number(256.0F * PackedTriangles::max_medium_side)) & ~kinds.thin;
   return kinds;
 }
 
@@ -93,13 +95,11 @@ class Binning {
     store(minimum(bounds.right, Ints(job_.frame.width() - 1)), right_.data());
     store(maximum(bounds.top, Ints(0)), top_.data());
     store(minimum(bounds.bottom, Ints(job_.frame.height() - 1)), bottom_.data());
-    const Ints limit(PackedTriangles::max_small_side);
-    const Truth few_samples =
-        bounds.right - bounds.left < limit && bounds.bottom - bounds.top < limit;
-    const Kinds kinds =
-        job_.discards() ? Kinds() : kinds_of(triangles, area, few_samples || !alive);
+    const Kinds kinds = job_.discards() ? Kinds() : kinds_of(triangles, area, alive, bounds);
     if (job_.skip.hidden_triangles) {
-      const std::uint32_t hidden = bits(behind_blocks(alive && few_samples, triangles.depth));
+      const Truth within_block =
+          bounds.right - bounds.left < Ints(8) && bounds.bottom - bounds.top < Ints(8);
+      const std::uint32_t hidden = bits(behind_blocks(alive && within_block, triangles.depth));
       worker_.statistics.triangles_hidden += static_cast<unsigned>(std::popcount(hidden));
       mask &= ~hidden;
     }

@@ -1,48 +1,14 @@
 // Triangles of up to 63 pixels a side: set up side by side, one per lane, and then drawn one after
-// the other, in blocks of 8×8 pixels. Their edge functions fit 32 bits in all the tile.
+// the other, in blocks of 8×8 pixels, or, those of few pixels, vector by vector
+// (compact_triangle.h). Their edge functions fit 32 bits in all the tile.
 #pragma once
 
-#include "common/engine/lane_triangles.h"
+#include "common/engine/compact_triangle.h"
 #include "common/engine/plane_depths.h"
 
 namespace rasterlab::RASTERLAB_SIMD {
 
-/// As many triangles as there are lanes, as arrays.
-struct MediumLanes {
-  using Values = std::array<std::int32_t, lanes>;
-  using Numbers = std::array<float, lanes>;
-
-  std::array<Values, 3> value;  ///< of edge functions at the tile's first pixel
-  std::array<Values, 3> lessened;
-  std::array<Values, 3> step_x;
-  std::array<Values, 3> step_y;
-  Values left, right, top, bottom;
-  Numbers d0, k1, k2, far, near;
-
-  MediumLanes(const PackedTriangles& triangles, int from, const Tile& tile) {
-    const LaneCorners corners = unpack_corners(triangles, from);
-    const LaneBounds bounds(corners, tile.size, tile.size);
-    store(bounds.left, left.data());
-    store(bounds.right, right.data());
-    store(bounds.top, top.data());
-    store(bounds.bottom, bottom.data());
-    for (std::size_t i = 0; i < 3; ++i) {
-      const LaneEdge edge(corners, i, Ints(128), Ints(128));
-      store(edge.value, value[i].data());
-      store(edge.lessened, lessened[i].data());
-      store(edge.step_x, step_x[i].data());
-      store(edge.step_y, step_y[i].data());
-    }
-    const LaneDepth depth(corners, load_depths(triangles, from));
-    store(depth.d0, d0.data());
-    store(depth.k1, k1.data());
-    store(depth.k2, k2.data());
-    store(depth.bounds.near, near.data());
-    store(depth.bounds.far, far.data());
-  }
-};
-
-/// One of them.
+/// One of them, block by block.
 class MediumTriangle {
  public:
   MediumTriangle(const Tile& tile, const MediumLanes& t, std::size_t lane, std::uint32_t key)
@@ -51,7 +17,7 @@ class MediumTriangle {
         right_(t.right[lane]),
         top_(t.top[lane]),
         bottom_(t.bottom[lane]),
-        key_(static_cast<std::int32_t>(key)),
+        nearest_(tile, key),
         bounds_{t.far[lane], t.near[lane]},
         plane_{.key = key,
                .is_short = true,
@@ -144,8 +110,9 @@ class MediumTriangle {
     for_each_vector(y, value, [&](int g, Truth covered, const std::array<Ints, 3>& e) {
       if (!any(covered)) return;
       drawn = true;
-      write(block * 64 + g * lanes, covered,
-            d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_));
+      nearest_.write(
+          block * 64 + g * lanes, covered,
+          d0_ + (as_numbers(e[1] + lessened1_) * k1_ + as_numbers(e[2] + lessened2_) * k2_));
     });
     return drawn;
   }
@@ -162,22 +129,9 @@ class MediumTriangle {
     return tile_.undisputed->add(block, pixels, bounds_, plane_number_, tile_.block_far[block]);
   }
 
-  /// Where it is nearer, `place` being a vector's in the tile's arrays.
-  void write(int place, Truth covered, Number depth) const {
-    const Number old_depth = load(tile_.depth + place);
-    if (!tile_.has_keys()) {
-      store(select(covered, maximum(depth, old_depth), old_depth), tile_.depth + place);
-      return;
-    }
-    const Ints old_key = load(tile_.key + place);
-    const Truth nearer = covered && (depth > old_depth || (depth == old_depth && key_ < old_key));
-    store(select(nearer, depth, old_depth), tile_.depth + place);
-    store(select(nearer, key_, old_key), tile_.key + place);
-  }
-
   const Tile& tile_;
   int left_, right_, top_, bottom_;
-  Ints key_;
+  NearestPixels nearest_;
   DepthBounds<float> bounds_;
   DepthPlane plane_;
   std::int32_t plane_number_ = -1;  ///< of the tile's undisputed blocks
@@ -195,11 +149,17 @@ inline void draw_medium(const Tile& tile, const PackedTriangles& triangles, bool
     for (int i = 0; i < count; ++i) {
       const auto lane = static_cast<std::size_t>(i);
       if (t.left[lane] > t.right[lane] || t.top[lane] > t.bottom[lane]) continue;
-      BlockMask open =
+      const BlockMask reached =
           blocks_in_bounds(tile, t.left[lane], t.right[lane], t.top[lane], t.bottom[lane]);
+      BlockMask open = reached;
       if (skip_hidden) open = without_hidden(tile, open, t.near[lane], statistics);
       if (open == 0) continue;
       const std::uint32_t key = triangles.key[static_cast<std::size_t>(from) + lane];
+      if (CompactTriangle::is_one(t, lane) && have_pixels(tile, reached)) {
+        CompactTriangle(tile, t, lane, key).draw();
+        drawn |= reached;
+        continue;
+      }
       drawn |= MediumTriangle(tile, t, lane, key).draw(open);
     }
     update_far(tile, drawn);

@@ -116,6 +116,11 @@ void for_each_block(BlockMask blocks, const Visit& visit) {
   for (; blocks != 0; blocks &= blocks - 1) visit(std::countr_zero(blocks));
 }
 
+/// Whether each pixel of these blocks has a depth and a number.
+inline bool have_pixels(const Tile& tile, BlockMask blocks) {
+  return tile.undisputed == nullptr || (tile.undisputed->mask() & blocks) == 0;
+}
+
 /// Those of `blocks` that are undisputed get a depth and a number for each pixel, so that others
 /// can be drawn there.
 inline void give_pixels(const Tile& tile, BlockMask blocks) {

@@ -72,10 +72,8 @@ class Drawing {
     for (Worker& worker : threads_.workers) worker.begin(job_.frame.tile_count());
     find_visible();
     sort_front_to_back();
-    // Small at first: what they draw hides much of the rest.
-    std::size_t begin = 0;
-    for (std::size_t size = first_batch;; size = std::min(2 * size, largest_batch)) {
-      const std::size_t end = std::min(begin + size, visible_.size());
+    for (std::size_t begin = 0;;) {
+      const std::size_t end = std::min(begin + batch_size, visible_.size());
       draw_batch({visible_.data() + begin, end - begin}, end == visible_.size());
       if (end == visible_.size()) break;
       begin = end;
@@ -84,8 +82,9 @@ class Drawing {
 
  private:
   static constexpr std::uint32_t clusters_per_task = 256;
-  static constexpr std::size_t first_batch = 64;
-  static constexpr std::size_t largest_batch = 256;
+  /// Clusters; what a batch draws hides much of the next ones. With fewer, tiles would be fetched
+  /// more often.
+  static constexpr std::size_t batch_size = 256;
   /// What is worth fetching a tile's memory for (TileBin::worth); with less it waits.
   static constexpr std::uint32_t enough_for_a_tile = 96;
   /// What bins may hold, in bytes, before every tile is drawn.

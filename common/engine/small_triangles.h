@@ -1,4 +1,4 @@
-// Triangles of at most 8×8 samples, one per lane: all lanes walk over their own pixels at once.
+// Triangles of at most 4×4 samples, one per lane: all lanes walk over their own pixels at once.
 #pragma once
 
 #include "common/engine/hit_list.h"
@@ -14,8 +14,8 @@ struct SmallLanes {
   LaneDepth depth;
 };
 
-/// Which lanes' triangles are behind all that the blocks they touch already show. A triangle of at
-/// most 8×8 samples touches no block but those of its corners.
+/// Which lanes' triangles are behind all that the blocks they touch already show: those of their
+/// bounds' corners, no others.
 inline Truth hidden_lanes(const Tile& tile, const LaneBounds& bounds, Number nearest) {
   const Ints per_row(tile.blocks_per_row());
   const Ints last(tile.blocks_per_row() - 1);

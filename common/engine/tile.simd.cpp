@@ -1,9 +1,9 @@
 // The back end: depth and triangle of every pixel of a tile.
 //
-// Four ways to draw: triangles of a few samples one per lane (small_triangles.h), slivers one per
-// lane too, line by line (thin_triangles.h); others one after the other in blocks of 8×8 pixels,
-// set up side by side when 32 bits are enough (medium_triangles.h), else each for itself
-// (large_triangles.h).
+// Five ways to draw: triangles of a few samples one per lane (small_triangles.h), slivers one per
+// lane too, line by line (thin_triangles.h); others one after the other, those of few pixels vector
+// by vector (compact_triangle.h), the rest in blocks of 8×8 pixels, set up side by side when 32
+// bits are enough (medium_triangles.h), else each for itself (large_triangles.h).
 //
 // All compute the same numbers for a pixel. Edge functions are integers, exactly; depth is
 // d0 + (E1·k1 + E2·k2), where E is the edge function rounded to float once and k = (di − d0) / area
