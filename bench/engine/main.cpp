@@ -11,11 +11,13 @@
 #include "bench/engine/scaling.h"
 #include "bench/engine/scenes.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <sys/wait.h>
@@ -31,6 +33,7 @@ struct Settings {
   std::string scene;
   std::string shading;
   std::string simd = std::string(name_of(best_simd_target()));
+  std::vector<std::string> without;  ///< named_skips
   int width = 1920;
   int height = 1080;
   std::vector<int> threads = {1, 2};
@@ -63,6 +66,20 @@ Time time_of(const std::function<void()>& work) {
   return {wall.count(), cpu};
 }
 
+Skips skips_without(const std::vector<std::string>& names) {
+  Skips skips;
+  for (const NamedSkip& one : named_skips) {
+    skips.*one.skip = std::find(names.begin(), names.end(), one.name) == names.end();
+  }
+  return skips;
+}
+
+std::set<std::string> names_of_skips() {
+  std::set<std::string> names;
+  for (const NamedSkip& one : named_skips) names.insert(one.name);
+  return names;
+}
+
 /// Our side: everything that stays from frame to frame.
 class Ours {
  public:
@@ -70,7 +87,7 @@ class Ours {
       : renderer_({.threads = threads,
                    .simd = simd_target(settings.simd),
                    .pin_threads = true,
-                   .skip = {}}),
+                   .skip = skips_without(settings.without)}),
         frame_(settings.width, settings.height),
         texture_(texture),
         normal_map_(normal_map) {}
@@ -279,6 +296,9 @@ int run(int argc, char** argv) {
   app.add_option("--shading", settings.shading, "only this shading");
   app.add_option("--threads", settings.threads, "thread counts to measure")->delimiter(',');
   app.add_option("--simd", settings.simd, "instruction set of our side");
+  app.add_option("--without", settings.without, "what our side doesn't skip")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names_of_skips()));
   app.add_option("--width", settings.width, "of the picture");
   app.add_option("--height", settings.height, "of the picture");
   app.add_option("--repeat", settings.repeat, "repetitions of each measurement");

@@ -13,25 +13,6 @@ namespace {
 constexpr int width = 1920;
 constexpr int height = 1080;
 
-struct Switch {
-  const char* name;
-  bool Skips::*skip;
-};
-
-constexpr Switch switches[] = {{"outside", &Skips::outside},
-                               {"facing away", &Skips::facing_away},
-                               {"hidden clusters", &Skips::hidden_clusters},
-                               {"hidden triangles", &Skips::hidden_triangles},
-                               {"front to back", &Skips::front_to_back},
-                               {"unwanted depth", &Skips::unwanted_depth},
-                               {"undisputed blocks", &Skips::undisputed_blocks}};
-
-Skips nothing() {
-  Skips skips;
-  for (const Switch& one : switches) skips.*one.skip = false;
-  return skips;
-}
-
 /// A scene, and the engine that draws it with some skips, on one thread.
 class SkippingDrawing {
  public:
@@ -110,7 +91,7 @@ TimedLadder skip_ladder(const SceneEntry& entry) {
                      .units = width * height,
                      .error = "different pixels per million",
                      .rungs = {}};
-  SkippingDrawing plain(scene, mesh, nothing());
+  SkippingDrawing plain(scene, mesh, no_skips());
   const Picture truth(plain);
   const auto add = [&](const std::string& rung, const Skips& skips) {
     const auto drawing = std::make_shared<SkippingDrawing>(scene, mesh, skips);
@@ -119,8 +100,8 @@ TimedLadder skip_ladder(const SceneEntry& entry) {
                             .work = [drawing] { drawing->draw(Keep::color); },
                             .errors = difference(Picture(*drawing), truth)});
   };
-  add("nothing skipped", nothing());
-  for (const Switch& one : switches) {
+  add("nothing skipped", no_skips());
+  for (const NamedSkip& one : named_skips) {
     Skips skips;
     skips.*one.skip = false;
     add(std::string("all but ") + one.name, skips);

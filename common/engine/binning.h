@@ -22,13 +22,16 @@ struct SampleBounds {
   Ints left, right, top, bottom;
 };
 
-inline SampleBounds sample_bounds(const Triangles& t) {
+/// With `beyond`, in 1/256 pixel, the pixels whose centres are that near.
+inline SampleBounds sample_bounds(const Triangles& t, int beyond) {
+  const Ints before(127 - beyond);
+  const Ints after(beyond - 128);
   const Ints low_x = minimum(minimum(t.x[0], t.x[1]), t.x[2]);
   const Ints high_x = maximum(maximum(t.x[0], t.x[1]), t.x[2]);
   const Ints low_y = minimum(minimum(t.y[0], t.y[1]), t.y[2]);
   const Ints high_y = maximum(maximum(t.y[0], t.y[1]), t.y[2]);
-  return {shift_right<8>(low_x + Ints(127)), shift_right<8>(high_x - Ints(128)),
-          shift_right<8>(low_y + Ints(127)), shift_right<8>(high_y - Ints(128))};
+  return {shift_right<8>(low_x + before), shift_right<8>(high_x + after),
+          shift_right<8>(low_y + before), shift_right<8>(high_y + after)};
 }
 
 /// Twice the area, (v1 − v0) × (v2 − v0), exact but for a last rounding.
@@ -95,7 +98,7 @@ class Binning {
     store(minimum(bounds.right, Ints(job_.frame.width() - 1)), right_.data());
     store(maximum(bounds.top, Ints(0)), top_.data());
     store(minimum(bounds.bottom, Ints(job_.frame.height() - 1)), bottom_.data());
-    const Kinds kinds = job_.discards() ? Kinds() : kinds_of(triangles, area, alive, bounds);
+    const Kinds kinds = job_.shades_blocks() ? Kinds() : kinds_of(triangles, area, alive, bounds);
     if (job_.skip.hidden_triangles) {
       const Truth within_block =
           bounds.right - bounds.left < Ints(8) && bounds.bottom - bounds.top < Ints(8);

@@ -3,6 +3,8 @@
 
 #include "common/engine/simd_target.h"
 
+#include <array>
+
 namespace rasterlab {
 
 /// What the engine spares itself that can be switched off, to see what it is worth.
@@ -12,9 +14,39 @@ struct Skips {
   bool hidden_clusters = true;    ///< clusters behind what is already drawn
   bool hidden_triangles = true;   ///< triangles, or what of them is in a block of 8×8 pixels
   bool front_to_back = true;      ///< draws near clusters first, so that more is hidden
+  bool zero_area = true;          ///< triangles that snapping left no area
+  bool missed_samples = true;     ///< triangles in the picture that have no sample in their box
+  bool hidden_fragments = true;   ///< shades when all is drawn, each visible pixel once
+  bool untouched_tiles = true;    ///< tiles nothing is drawn into
   bool unwanted_depth = true;     ///< depth and triangle numbers that a draw call need not keep
   bool undisputed_blocks = true;  ///< of those, the ones of 8×8 pixels no two triangles compete for
 };
+
+struct NamedSkip {
+  const char* name;
+  bool Skips::*skip;
+};
+
+/// All of them, for those who switch one off after the other.
+inline constexpr std::array<NamedSkip, 11> named_skips = {
+    {{"outside", &Skips::outside},
+     {"facing away", &Skips::facing_away},
+     {"hidden clusters", &Skips::hidden_clusters},
+     {"hidden triangles", &Skips::hidden_triangles},
+     {"front to back", &Skips::front_to_back},
+     {"zero area", &Skips::zero_area},
+     {"missed samples", &Skips::missed_samples},
+     {"hidden fragments", &Skips::hidden_fragments},
+     {"untouched tiles", &Skips::untouched_tiles},
+     {"unwanted depth", &Skips::unwanted_depth},
+     {"undisputed blocks", &Skips::undisputed_blocks}}};
+
+/// Nothing is skipped.
+constexpr Skips no_skips() {
+  Skips skips;
+  for (const NamedSkip& one : named_skips) skips.*one.skip = false;
+  return skips;
+}
 
 struct EngineOptions {
   int threads = 0;  ///< 0: as many as there are cores

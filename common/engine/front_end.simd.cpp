@@ -223,19 +223,23 @@ void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& 
       }
     }
     const Number area = twice_area(t, vertices.short_sides);
-    const Truth shown = alive && kept_side(job.cull, area);
-    const SampleBounds bounds = sample_bounds(t);
+    const Truth flat = alive && area == Number(0);
+    const Truth shown = (alive && kept_side(job.cull, area)) ||
+                        (flat && first_lanes(job.skip.zero_area ? 0 : lanes));
+    const SampleBounds bounds = sample_bounds(t, job.skip.missed_samples ? 0 : 128);
     const Truth hits = shown && bounds.left <= bounds.right && bounds.top <= bounds.bottom;
     Truth seen = hits && in_picture(job, bounds);
     if (job.cull == Cull::none) {
-      const std::uint32_t thin = bits(seen && maybe_turned_over(t, area));
+      const std::uint32_t thin = bits(seen && !flat && maybe_turned_over(t, area));
       if (thin != 0) {
         seen = seen && !truth_of(turned_over(job, clusters, cluster, from, thin, area));
       }
     }
     make_area_positive(t, area);
     start_before_far_plane(t);
-    statistics.triangles_culled += static_cast<unsigned>(std::popcount(bits(alive && !shown)));
+    statistics.triangles_culled +=
+        static_cast<unsigned>(std::popcount(bits(alive && !shown && !flat)));
+    statistics.triangles_without_area += static_cast<unsigned>(std::popcount(bits(flat && !shown)));
     statistics.triangles_missed += static_cast<unsigned>(std::popcount(bits(shown && !seen)));
     binning.add(t, area, seen, bounds, clusters.triangle.data() + from);
   }

@@ -19,10 +19,11 @@ struct DrawJob;
 struct ShadingKernels {
   /// Shades the pixels of a tile that this draw call owns.
   void (*shade_tile)(const DrawJob& job, const Tile& tile, Worker& worker);
-  /// Of the pixels `covered` of a block of the picture at (left, top), those the shader doesn't
-  /// discard for this triangle. nullptr for a shader that never discards.
-  BlockMask (*not_discarded)(const DrawJob& job, std::uint32_t key, int left, int top,
-                             BlockMask covered, Worker& worker);
+  /// Shades pixels of one triangle as it is drawn. The tile is one block of the picture; where it
+  /// has a place for colours, these are written. Returns the pixels that aren't discarded.
+  BlockMask (*shade_now)(const DrawJob& job, const Tile& block, std::uint32_t key, BlockMask pixels,
+                         Worker& worker);
+  bool may_discard;
 };
 
 /// A draw call as the kernels see it.
@@ -43,8 +44,13 @@ struct DrawJob {
     return shading == nullptr && keep != Keep::everything && skip.unwanted_depth;
   }
   /// Whether pixels need no depth where triangles don't compete for them (undisputed_blocks.h).
-  bool spares_undisputed_blocks() const { return skip.undisputed_blocks && !discards(); }
-  bool discards() const { return shading != nullptr && shading->not_discarded != nullptr; }
+  bool spares_undisputed_blocks() const { return skip.undisputed_blocks && !shades_blocks(); }
+  /// Pixels get their colours as triangles are drawn, not when all are.
+  bool colors_blocks() const { return shading != nullptr && !skip.hidden_fragments; }
+  /// The shader runs as triangles are drawn, block by block: for that, or because it may discard.
+  bool shades_blocks() const {
+    return colors_blocks() || (shading != nullptr && shading->may_discard);
+  }
 };
 
 /// What of a mesh's clusters is to be drawn, and how near it is at most.

@@ -72,9 +72,12 @@ inline BlockMask open_blocks(const DrawJob& job, const Tile& tile, const LargeTr
   const auto [low_x, high_x] = std::minmax({t.x[0], t.x[1], t.x[2]});
   const auto [low_y, high_y] = std::minmax({t.y[0], t.y[1], t.y[2]});
   const auto inside = [&](int pixel) { return std::clamp(pixel, 0, tile.size - 1); };
-  const BlockMask near = blocks_in_bounds(
-      tile, inside(((low_x + 127) >> 8) - tile.left), inside(((high_x - 128) >> 8) - tile.left),
-      inside(((low_y + 127) >> 8) - tile.top), inside(((high_y - 128) >> 8) - tile.top));
+  const int left = inside(((low_x + 127) >> 8) - tile.left);
+  const int right = inside(((high_x - 128) >> 8) - tile.left);
+  const int top = inside(((low_y + 127) >> 8) - tile.top);
+  const int bottom = inside(((high_y - 128) >> 8) - tile.top);
+  if (left > right || top > bottom) return 0;
+  const BlockMask near = blocks_in_bounds(tile, left, right, top, bottom);
   return job.skip.hidden_triangles ? without_hidden(tile, near, nearest, statistics) : near;
 }
 
@@ -233,7 +236,7 @@ class LargeDrawing {
 
   template <bool whole>
   void draw_block(int block, Worker& worker) {
-    const BlockMask kept = job_.discards() ? not_discarded<whole>(block, worker) : all_64;
+    const BlockMask kept = job_.shades_blocks() ? shade<whole>(block, worker) : all_64;
     Number far(3.4e38F);
     for_each_vector<whole>(block, [&](int place, Truth covered, Number depth) {
       Truth nearer = is_nearer(place, covered, depth);
@@ -248,16 +251,29 @@ class LargeDrawing {
     tile_.block_far[block] = smallest(far);
   }
 
-  /// Of the pixels that would be seen.
+  /// Has the pixels shaded that are to be drawn, and returns those that aren't discarded.
   template <bool whole>
-  BlockMask not_discarded(int block, Worker& worker) const {
-    BlockMask seen = 0;
+  BlockMask shade(int block, Worker& worker) const {
+    BlockMask nearer = 0;
     for_each_vector<whole>(block, [&](int place, Truth covered, Number depth) {
-      seen |= BlockMask{bits(is_nearer(place, covered, depth))} << (place & 63);
+      nearer |= BlockMask{bits(is_nearer(place, covered, depth))} << (place & 63);
     });
+    if (nearer == 0) return 0;
+    return job_.shading->shade_now(job_, block_of_picture(block), triangle_.key, nearer, worker);
+  }
+
+  /// As a tile by itself, with a place for colours if these are wanted now.
+  Tile block_of_picture(int block) const {
     const PixelOffset corner = place_of_block(tile_, block);
-    return job_.shading->not_discarded(job_, triangle_.key, tile_.left + corner.x,
-                                       tile_.top + corner.y, seen, worker);
+    Tile alone;
+    alone.left = tile_.left + corner.x;
+    alone.top = tile_.top + corner.y;
+    alone.size = 8;
+    alone.width = std::clamp(tile_.width - corner.x, 0, 8);
+    alone.height = std::clamp(tile_.height - corner.y, 0, 8);
+    alone.stride = tile_.stride;
+    if (job_.colors_blocks()) alone.color = tile_.color + corner.y * tile_.stride + corner.x;
+    return alone;
   }
 
   const DrawJob& job_;

@@ -138,7 +138,9 @@ class Drawing {
           job_, clusters.subspan(begin, std::min(per_task, clusters.size() - begin)), worker);
     });
     const bool every_tile = last || bytes_binned() > most_binned;
-    const std::uint32_t enough = every_tile ? 1 : enough_for_a_tile;
+    const std::uint32_t enough = last && !job_.skip.untouched_tiles ? 0
+                                 : every_tile                       ? 1
+                                                                    : enough_for_a_tile;
     threads_.for_each(job_.frame.tile_count(), [&](int index, Worker& worker) {
       const bool passing = last && is_passing(index);
       const Tile tile = tile_to_draw(index, passing, worker);
@@ -182,8 +184,19 @@ class Drawing {
 
   void draw_tile(const Tile& tile, Worker& worker) {
     job_.frame.prepare(tile);
+    if (job_.colors_blocks()) {
+      give_background(tile.index);
+      job_.frame.color_state(tile.index) = FrameAccess::picture;
+    }
     kernels_.draw_tile(job_, tile, threads_.workers, worker);
     for (Worker& from : threads_.workers) from.bin(tile.index) = {};
+  }
+
+  /// Where there is no picture yet; it may be there already.
+  void give_background(int tile) const {
+    const std::uint8_t there = job_.frame.color_state(tile);
+    const bool skips = there == FrameAccess::background && job_.skip.untouched_tiles;
+    if (there != FrameAccess::picture && !skips) job_.frame.fill_background(tile);
   }
 
   void finish_tile(const Tile& tile, Worker& worker) {
@@ -191,11 +204,9 @@ class Drawing {
     ++(drawn ? worker.statistics.tiles_drawn : worker.statistics.tiles_untouched);
     if (job_.shading == nullptr) return;
     const bool all_drawn = drawn && job_.frame.tile_far(tile.index) > 0;
-    if (job_.frame.color_state(tile.index) == FrameAccess::stale && !all_drawn) {
-      job_.frame.fill_background(tile.index);
-    }
+    if (!all_drawn) give_background(tile.index);
     if (!drawn) return;
-    job_.shading->shade_tile(job_, tile, worker);
+    if (!job_.colors_blocks()) job_.shading->shade_tile(job_, tile, worker);
     job_.frame.color_state(tile.index) = FrameAccess::picture;
   }
 

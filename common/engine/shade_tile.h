@@ -55,13 +55,22 @@ class TileShading {
     shade_scattered();
   }
 
-  /// For one triangle and a tile of one block: which of the pixels the shader keeps.
-  BlockMask not_discarded(std::uint32_t key, BlockMask covered) {
-    triangles_.take_one(key, covered);
+  /// Pixels of one triangle, of a tile of one block. Their colours go to the picture if the tile
+  /// has a place for them; returns which the shader keeps.
+  BlockMask shade_one(std::uint32_t key, BlockMask pixels, bool writes) {
+    triangles_.take_one(key, pixels);
     shade_constant_triangles();
     BlockColors colors;
     shade_block(0, colors);
-    return colors.kept & covered;
+    const BlockMask kept = colors.kept & pixels;
+    if (!writes) {
+      statistics_.pixels_asked += static_cast<unsigned>(std::popcount(pixels));
+      return kept;
+    }
+    const BlockMask inside = triangles_.inside(0);
+    triangles_.write_colors(0, colors.packed.data(), kept & inside);
+    statistics_.pixels_shaded += static_cast<unsigned>(std::popcount(pixels & inside));
+    return kept;
   }
 
  private:
@@ -545,25 +554,15 @@ void shade_tile(const DrawJob& job, const Tile& tile, Worker& worker) {
 }
 
 template <class Shader>
-BlockMask not_discarded(const DrawJob& job, std::uint32_t key, int left, int top, BlockMask covered,
-                        Worker& worker) {
-  Tile block;
-  block.left = left;
-  block.top = top;
-  block.size = 8;
-  return TileShading<Shader>(job, block, worker).not_discarded(key, covered);
+BlockMask shade_now(const DrawJob& job, const Tile& block, std::uint32_t key, BlockMask pixels,
+                    Worker& worker) {
+  return TileShading<Shader>(job, block, worker).shade_one(key, pixels, block.color != nullptr);
 }
 
 /// The functions a shader is compiled to, for this file's instruction set.
 template <class Shader>
-constexpr ShadingKernels make_kernels() {
-  ShadingKernels kernels = {&shade_tile<Shader>, nullptr};
-  if constexpr (may_discard<Shader>) kernels.not_discarded = &not_discarded<Shader>;
-  return kernels;
-}
-
-template <class Shader>
-inline constexpr ShadingKernels kernels_of = make_kernels<Shader>();
+inline constexpr ShadingKernels kernels_of = {&shade_tile<Shader>, &shade_now<Shader>,
+                                              may_discard<Shader>};
 
 template <class Shader>
 const ShadingKernels& shading_kernels() {

@@ -12,7 +12,7 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 19> fields = {{
+constexpr std::array<Field, 21> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
     {"clusters_facing_away", &Statistics::clusters_facing_away},
@@ -21,6 +21,7 @@ constexpr std::array<Field, 19> fields = {{
     {"vertices_skipped", &Statistics::vertices_skipped},
     {"triangles", &Statistics::triangles},
     {"triangles_culled", &Statistics::triangles_culled},
+    {"triangles_without_area", &Statistics::triangles_without_area},
     {"triangles_missed", &Statistics::triangles_missed},
     {"triangles_hidden", &Statistics::triangles_hidden},
     {"triangles_clipped", &Statistics::triangles_clipped},
@@ -31,6 +32,7 @@ constexpr std::array<Field, 19> fields = {{
     {"tiles_not_kept", &Statistics::tiles_not_kept},
     {"blocks_undisputed", &Statistics::blocks_undisputed},
     {"pixels_shaded", &Statistics::pixels_shaded},
+    {"pixels_asked", &Statistics::pixels_asked},
     {"triangles_shaded", &Statistics::triangles_shaded},
 }};
 

@@ -17,9 +17,10 @@ struct Statistics {
   std::uint64_t vertices = 0;              ///< taken to the window
   std::uint64_t vertices_skipped = 0;      ///< of skipped clusters
   std::uint64_t triangles = 0;             ///< of clusters that were not skipped
-  std::uint64_t triangles_culled = 0;      ///< back faces, zero area
-  std::uint64_t triangles_missed = 0;      ///< that miss every sample, or that snapping turned over
-  std::uint64_t triangles_hidden = 0;      ///< small, behind what earlier batches drew
+  std::uint64_t triangles_culled = 0;      ///< back faces
+  std::uint64_t triangles_without_area = 0;
+  std::uint64_t triangles_missed = 0;  ///< that miss every sample, or that snapping turned over
+  std::uint64_t triangles_hidden = 0;  ///< small, behind what earlier batches drew
   std::uint64_t triangles_clipped = 0;
   std::uint64_t triangles_binned = 0;  ///< once per tile
   std::uint64_t blocks_hidden = 0;     ///< 8×8 pixels of a triangle behind what is drawn
@@ -29,6 +30,7 @@ struct Statistics {
   std::uint64_t blocks_undisputed =
       0;  ///< 8×8 pixels seen without there ever being a depth for each
   std::uint64_t pixels_shaded = 0;
+  std::uint64_t pixels_asked = 0;      ///< whether a shader discards them, before they are drawn
   std::uint64_t triangles_shaded = 0;  ///< for which vertex() was called, once per tile
   double milliseconds = 0;
 

@@ -149,6 +149,9 @@ class VisibleTriangles {
   /// Of the tile's.
   int blocks_per_row() const { return tile_.blocks_per_row(); }
 
+  /// Of a block's pixels, those in the picture: tiles may reach beyond it.
+  BlockMask inside(int block) const;
+
   /// Colours of a block's pixels that are in the picture, packed with red in the lowest byte.
   void write_colors(int block, const std::uint32_t* packed, BlockMask mask) const;
 
@@ -180,7 +183,6 @@ class VisibleTriangles {
   void collect();
   void collect_undisputed(int block);
   void collect_block(int block);
-  BlockMask inside(int block) const;
   bool are_scattered(int block, BlockMask seen) const;
   void add_scattered(int block, BlockMask seen);
   void find_slots_of_scattered();

@@ -123,7 +123,6 @@ void VisibleTriangles::collect_block(int block) {
   }
 }
 
-/// Tiles may reach beyond the picture.
 BlockMask VisibleTriangles::inside(int block) const {
   const PixelOffset place = place_of_block(tile_, block);
   const int columns = std::clamp(tile_.width - place.x, 0, 8);

@@ -128,7 +128,9 @@ class engine_same_bytes : public testing::TestWithParam<float> {
       }
     }
     EXPECT_EQ(draw<Shader>(mesh, {.threads = 1}, 64, distance), expected);
-    const Skips nothing = {false, false, false, false, false, false, false};
+    Skips nothing = no_skips();
+    EXPECT_EQ(draw<Shader>(mesh, {.skip = nothing}, 64, distance), expected);
+    nothing.hidden_fragments = true;  // else all are drawn one way
     EXPECT_EQ(draw<Shader>(mesh, {.skip = nothing}, 64, distance), expected);
     for (const int by : {1, 2}) {
       EXPECT_EQ(draw<Shader>(rotated_corners(mesh, by), {}, 64, distance), expected)

@@ -1,0 +1,227 @@
+// Each switch of Skips: it changes no pixel, and what it spares is counted.
+#include "common/engine/renderer.h"
+
+#include "tests/engine/test_shaders.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include <gmock/gmock.h>
+
+namespace rasterlab {
+namespace {
+
+constexpr int width = 512;
+constexpr int height = 128;
+constexpr int used_width = 192;  ///< but for what reaches beyond, less than 128 pixels
+constexpr int tile_size = 16;
+
+/// Triangles in window coordinates, in 1/256 pixel. All are there in NDC as they are: both sides of
+/// the picture are powers of two.
+class Crowd {
+ public:
+  explicit Crowd(unsigned seed) : random_(seed) {}
+
+  int within(int low, int high) {
+    return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1));
+  }
+
+  struct Corner {
+    int x, y;
+  };
+  Corner anywhere() { return {within(0, used_width * 256), within(0, height * 256)}; }
+  Corner sample() {
+    return {within(0, used_width - 1) * 256 + 128, within(0, height - 1) * 256 + 128};
+  }
+  Corner near(Corner c, int reach) {
+    return {within(c.x - reach, c.x + reach), within(c.y - reach, c.y + reach)};
+  }
+
+  void add(Corner a, Corner b, Corner c) {
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+    for (const Corner& corner : {a, b, c}) {
+      mesh_.positions.emplace_back(static_cast<float>(corner.x) / (128 * width) - 1,
+                                   1 - static_cast<float>(corner.y) / (128 * height),
+                                   static_cast<float>(within(-90, 90)) / 100);
+      mesh_.normals.emplace_back(
+          Eigen::Vector3f(static_cast<float>(within(-9, 9)), 1, static_cast<float>(within(-9, 9)))
+              .normalized());
+    }
+    mesh_.triangles.push_back({first, first + 1, first + 2});
+  }
+
+  Mesh take() { return std::move(mesh_); }
+
+ private:
+  std::mt19937 random_;
+  Mesh mesh_;
+};
+
+/// Of all sizes, in front of each other.
+void add_seen(Crowd& crowd) {
+  for (const int size : {600, 3000, 12000, 30000}) {
+    for (int i = 0; i < 40; ++i) {
+      const Crowd::Corner a = crowd.anywhere();
+      crowd.add(a, crowd.near(a, size), crowd.near(a, size));
+    }
+  }
+}
+
+constexpr int count_without_area = 150;
+
+/// Points and lines, through samples as well.
+void add_without_area(Crowd& crowd) {
+  for (int i = 0; i < count_without_area; ++i) {
+    const Crowd::Corner a = i % 2 == 0 ? crowd.sample() : crowd.anywhere();
+    const int size = std::array{0, 1, 40, 700, 2500}[static_cast<std::size_t>(i % 5)];
+    const int dx = crowd.within(-size, size);
+    const int dy = i % 3 == 0 ? dx : crowd.within(-size, size);
+    const int third = crowd.within(-3, 3);
+    crowd.add(a, {a.x + 4 * dx, a.y + 4 * dy}, {a.x + third * dx, a.y + third * dy});
+  }
+}
+
+constexpr int count_between_samples = 150;
+
+/// In a pixel, or long ones in a row or a column of them, beside the samples.
+void add_between_samples(Crowd& crowd) {
+  for (int i = 0; i < count_between_samples; ++i) {
+    const Crowd::Corner center = crowd.sample();
+    const int along = std::array{110, 2000, 9000}[static_cast<std::size_t>(i % 3)];
+    const bool flat = i % 2 == 0;
+    const auto corner = [&](int part) {
+      const int across = crowd.within(10, 240);
+      const int way = part * along / 2 + crowd.within(1, 15);
+      return flat ? Crowd::Corner{center.x + way, center.y + across}
+                  : Crowd::Corner{center.x + across, center.y + way};
+    };
+    crowd.add(corner(0), corner(1), corner(2));
+  }
+}
+
+Mesh crowd() {
+  Crowd crowd(7);
+  add_seen(crowd);
+  add_without_area(crowd);
+  add_between_samples(crowd);
+  return crowd.take();
+}
+
+struct Drawn {
+  Image<Rgb8> color;
+  Image<std::int32_t> ids;
+  Image<float> depth;
+  Statistics statistics;
+
+  bool shows_the_same(const Drawn& other) const {
+    return color == other.color && ids == other.ids && depth == other.depth;
+  }
+};
+
+template <class Shader = BusyShader>
+Drawn draw(const PreparedMesh& mesh, const EngineOptions& options, Cull cull = Cull::none) {
+  Framebuffer frame(width, height, tile_size);
+  frame.clear({10, 20, 30});
+  const Shader shader;
+  const Statistics statistics =
+      Renderer(options).draw({.mesh = &mesh, .cull = cull, .shading = shading(shader)}, frame);
+  return {frame.color(), frame.ids(), frame.depth(), statistics};
+}
+
+EngineOptions without(bool Skips::*skip, SimdTarget simd = best_simd_target()) {
+  EngineOptions options = {.threads = 2, .simd = simd, .skip = {}};
+  options.skip.*skip = false;
+  return options;
+}
+
+std::uint64_t visible_pixels(const Drawn& drawn) {
+  return static_cast<std::uint64_t>(std::count_if(
+      drawn.ids.pixels().begin(), drawn.ids.pixels().end(), [](int id) { return id >= 0; }));
+}
+
+class engine_skips : public testing::Test {
+ protected:
+  const Mesh plain_ = crowd();
+  const PreparedMesh mesh_{plain_};
+};
+
+TEST_F(engine_skips, change_no_pixel) {
+  const auto check = [&](Cull cull, const std::vector<SimdTarget>& targets) {
+    const Drawn expected = draw(mesh_, {}, cull);
+    const Drawn holes = draw<HolesShader>(mesh_, {}, cull);
+    ASSERT_GT(visible_pixels(expected), std::uint64_t{used_width * height / 2});
+    for (const NamedSkip& one : named_skips) {
+      for (const SimdTarget simd : targets) {
+        SCOPED_TRACE(std::string(name_of(simd)) + " without " + one.name);
+        EXPECT_TRUE(draw(mesh_, without(one.skip, simd), cull).shows_the_same(expected));
+        EXPECT_TRUE(draw<HolesShader>(mesh_, without(one.skip, simd), cull).shows_the_same(holes));
+      }
+    }
+  };
+  check(Cull::none, supported_simd_targets());
+  check(Cull::back, {best_simd_target()});
+}
+
+TEST_F(engine_skips, zero_area_is_counted) {
+  const Statistics with = draw(mesh_, {}).statistics;
+  const Statistics off = draw(mesh_, without(&Skips::zero_area)).statistics;
+  EXPECT_GE(with.triangles_without_area, std::uint64_t{count_without_area});
+  EXPECT_EQ(off.triangles_without_area, 0U);
+  EXPECT_GT(off.triangles_binned, with.triangles_binned);
+}
+
+TEST_F(engine_skips, missed_samples_are_counted) {
+  const Statistics with = draw(mesh_, {}).statistics;
+  const Statistics off = draw(mesh_, without(&Skips::missed_samples)).statistics;
+  EXPECT_GE(with.triangles_missed, std::uint64_t{count_between_samples});
+  EXPECT_LT(off.triangles_missed, with.triangles_missed - count_between_samples / 2);
+  EXPECT_GT(off.triangles_binned, with.triangles_binned + count_between_samples / 2);
+}
+
+TEST_F(engine_skips, hidden_fragments_are_counted) {
+  const Drawn with = draw(mesh_, {});
+  EXPECT_EQ(with.statistics.pixels_shaded, visible_pixels(with));
+  const Drawn off = draw(mesh_, without(&Skips::hidden_fragments));
+  EXPECT_GT(off.statistics.pixels_shaded, visible_pixels(with));
+}
+
+TEST_F(engine_skips, a_shader_that_discards_is_asked_before_pixels_are_drawn) {
+  const Drawn with = draw<HolesShader>(mesh_, {});
+  EXPECT_EQ(with.statistics.pixels_shaded, visible_pixels(with));
+  EXPECT_GT(with.statistics.pixels_asked, visible_pixels(with));
+  EXPECT_EQ(draw<HolesShader>(mesh_, without(&Skips::hidden_fragments)).statistics.pixels_asked, 0U)
+      << "they get their colours at once";
+  EXPECT_EQ(draw(mesh_, {}).statistics.pixels_asked, 0U);
+}
+
+TEST_F(engine_skips, untouched_tiles_are_counted) {
+  constexpr int all = width / tile_size * (height / tile_size);
+  constexpr int empty = (width - used_width - 128) / tile_size * (height / tile_size);
+  const Statistics with = draw(mesh_, {}).statistics;
+  EXPECT_GE(with.tiles_untouched, std::uint64_t{empty});
+  EXPECT_EQ(with.tiles_drawn + with.tiles_untouched, std::uint64_t{all});
+  const Statistics off = draw(mesh_, without(&Skips::untouched_tiles)).statistics;
+  EXPECT_EQ(off.tiles_untouched, 0U);
+  EXPECT_EQ(off.tiles_drawn, std::uint64_t{all});
+}
+
+/// A tile with a picture must not get its background again.
+TEST_F(engine_skips, untouched_tiles_keep_what_an_earlier_call_drew) {
+  const BusyShader shader;
+  const auto drawn_twice = [&](const EngineOptions& options) {
+    Framebuffer frame(width, height, tile_size);
+    Renderer renderer(options);
+    const Mesh nothing;
+    const PreparedMesh empty(nothing);
+    renderer.draw({.mesh = &mesh_, .shading = shading(shader)}, frame);
+    renderer.draw({.mesh = &empty, .shading = shading(shader)}, frame);
+    return frame.color();
+  };
+  const Image<Rgb8> kept = drawn_twice({});
+  EXPECT_EQ(drawn_twice(without(&Skips::untouched_tiles)), kept);
+  EXPECT_EQ(drawn_twice(without(&Skips::hidden_fragments)), kept);
+}
+
+}  // namespace
+}  // namespace rasterlab
