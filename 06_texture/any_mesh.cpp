@@ -19,7 +19,7 @@ class Prepared {
   explicit Prepared(const Subject& subject) : subject_(subject), mesh_(with_normals(subject.mesh)) {
     if (subject.texture.empty()) return;
     require_texture_coordinates(mesh_);
-    texture_.emplace(subject.texture);
+    texture_.emplace(subject.texture, levels_for(filter_named(subject.filter)));
   }
 
   const Mesh& mesh() const { return mesh_; }

@@ -43,8 +43,9 @@ class Prepared {
   }
 
  private:
-  static std::optional<Texture> load(const Image<Rgb8>& image) {
-    return image.empty() ? std::nullopt : std::optional<Texture>(image);
+  std::optional<Texture> load(const Image<Rgb8>& image) const {
+    if (image.empty()) return std::nullopt;
+    return Texture(image, levels_for(filter_named(subject_.filter)));
   }
 
   std::optional<Sampler> sampler(const std::optional<Texture>& texture) const {

@@ -16,6 +16,11 @@ namespace rasterlab {
 /// How the texels that a pixel sees become one colour: from the cheapest to the best.
 enum class Filter { nearest, bilinear, mip_mapped, trilinear, anisotropic };
 
+/// Which levels of a texture it reads: others needn't be made.
+constexpr MipLevels levels_for(Filter filter) {
+  return filter == Filter::nearest || filter == Filter::bilinear ? MipLevels::none : MipLevels::all;
+}
+
 /// A texture and how to read it. The texture must outlive this.
 struct Sampler {
   const Texture* texture = nullptr;
