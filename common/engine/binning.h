@@ -7,6 +7,7 @@
 #include "common/engine/window_vertex.h"
 
 #include <bit>
+#include <type_traits>
 
 namespace rasterlab::RASTERLAB_SIMD {
 
@@ -89,46 +90,25 @@ class Binning {
            const std::uint32_t* ids) {
     std::uint32_t mask = bits(alive);
     if (mask == 0) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-      store(triangles.x[i], x_[i].data());
-      store(triangles.y[i], y_[i].data());
-      store(triangles.depth[i], depth_[i].data());
-    }
-    store(maximum(bounds.left, Ints(0)), left_.data());
-    store(minimum(bounds.right, Ints(job_.frame.width() - 1)), right_.data());
-    store(maximum(bounds.top, Ints(0)), top_.data());
-    store(minimum(bounds.bottom, Ints(job_.frame.height() - 1)), bottom_.data());
     const Kinds kinds = job_.shades_blocks() ? Kinds() : kinds_of(triangles, area, alive, bounds);
+    const SampleBounds pixels = {
+        maximum(bounds.left, Ints(0)), minimum(bounds.right, Ints(job_.frame.width() - 1)),
+        maximum(bounds.top, Ints(0)), minimum(bounds.bottom, Ints(job_.frame.height() - 1))};
+    store(pixels.left, left_.data());
+    store(pixels.right, right_.data());
+    store(pixels.top, top_.data());
+    store(pixels.bottom, bottom_.data());
     if (job_.skip.hidden_triangles) {
       const Truth within_block =
           bounds.right - bounds.left < Ints(8) && bounds.bottom - bounds.top < Ints(8);
-      const std::uint32_t hidden = bits(behind_blocks(alive && within_block, triangles.depth));
+      const std::uint32_t hidden =
+          bits(behind_blocks(alive && within_block, pixels, triangles.depth));
       worker_.statistics.triangles_hidden += static_cast<unsigned>(std::popcount(hidden));
       mask &= ~hidden;
     }
-    for (; mask != 0; mask &= mask - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
-      const std::uint32_t key = job_.first_key + ids[lane];
-      const auto is = [lane](std::uint32_t kind) { return (kind >> lane & 1U) != 0; };
-      if (is(kinds.small)) {
-        add_packed(lane, key, &TileBin::small, 1);
-        continue;
-      }
-      if (is(kinds.medium)) {
-        add_packed(lane, key, &TileBin::medium, TileBin::worth_of_medium);
-        continue;
-      }
-      auto* kept = worker_.arena.make<LargeTriangle>();
-      *kept = {{x_[0][lane], x_[1][lane], x_[2][lane]},
-               {y_[0][lane], y_[1][lane], y_[2][lane]},
-               {depth_[0][lane], depth_[1][lane], depth_[2][lane]},
-               key,
-               kinds.width[lane]};
-      const PixelBounds pixels = {left_[lane], right_[lane], top_[lane], bottom_[lane]};
-      for_each_tile(*kept, pixels, [&](int tile) {
-        is(kinds.thin) ? worker_.add_thin(tile, kept) : worker_.add_large(tile, kept);
-      });
-    }
+    const std::uint32_t packed = mask & (kinds.small | kinds.medium);
+    if (packed != 0) add_packed(triangles, pixels, ids, kinds, packed);
+    if (mask != packed) add_others(triangles, ids, kinds, mask & ~packed);
   }
 
   /// A triangle with samples in the given pixels, which are in the picture.
@@ -182,60 +162,150 @@ class Binning {
     }
   }
 
+  /// Slivers and large ones.
+  void add_others(const Triangles& triangles, const std::uint32_t* ids, const Kinds& kinds,
+                  std::uint32_t mask) {
+    std::array<IntLanes, 3> x;
+    std::array<IntLanes, 3> y;
+    std::array<std::array<float, lanes>, 3> depth;
+    for (std::size_t i = 0; i < 3; ++i) {
+      store(triangles.x[i], x[i].data());
+      store(triangles.y[i], y[i].data());
+      store(triangles.depth[i], depth[i].data());
+    }
+    for (; mask != 0; mask &= mask - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
+      auto* kept = worker_.arena.make<LargeTriangle>();
+      *kept = {{x[0][lane], x[1][lane], x[2][lane]},
+               {y[0][lane], y[1][lane], y[2][lane]},
+               {depth[0][lane], depth[1][lane], depth[2][lane]},
+               job_.first_key + ids[lane],
+               kinds.width[lane]};
+      const bool is_thin = (kinds.thin >> lane & 1U) != 0;
+      const PixelBounds pixels = {left_[lane], right_[lane], top_[lane], bottom_[lane]};
+      for_each_tile(*kept, pixels, [&](int tile) {
+        is_thin ? worker_.add_thin(tile, kept) : worker_.add_large(tile, kept);
+      });
+    }
+  }
+
   /// Which of the triangles asked, of at most 8×8 samples, are behind all that the blocks they
   /// reach into show: those of their bounds' corners.
-  Truth behind_blocks(Truth asked, const std::array<Number, 3>& depth) const {
-    const auto far = [&](const IntLanes& pixel_x, const IntLanes& pixel_y) {
-      const Ints x = shift_right<3>(load(pixel_x.data()));
-      const Ints y = shift_right<3>(load(pixel_y.data()));
-      return gather_numbers(job_.frame.block_fars(), select(asked, block_index(x, y), Ints(0)));
+  Truth behind_blocks(Truth asked, const SampleBounds& pixels,
+                      const std::array<Number, 3>& depth) const {
+    const auto far = [&](Ints x, Ints y) {
+      return gather_numbers(job_.frame.block_fars(), select(asked, block_of(x, y), Ints(0)));
     };
-    const Number above = minimum(far(left_, top_), far(right_, top_));
-    const Number below = minimum(far(left_, bottom_), far(right_, bottom_));
+    const Number above = minimum(far(pixels.left, pixels.top), far(pixels.right, pixels.top));
+    const Number below = minimum(far(pixels.left, pixels.bottom), far(pixels.right, pixels.bottom));
     return asked && minimum(above, below) > bounds_of(depth).near;
   }
 
-  /// Where a framebuffer keeps what belongs to the block in column x and row y of the picture's.
-  Ints block_index(Ints x, Ints y) const {
+  /// Calls `work` with the logarithm of the tile size, as a number the compiler knows.
+  template <class Work>
+  Ints with_tile_shift(const Work& work) const {
     switch (tile_shift_) {
       case 4:
-        return block_in_tile<1>(x, y);
+        return work(std::integral_constant<int, 4>());
       case 5:
-        return block_in_tile<2>(x, y);
+        return work(std::integral_constant<int, 5>());
       default:
-        return block_in_tile<3>(x, y);
+        return work(std::integral_constant<int, 6>());
     }
-  }
-  template <int shift>
-  Ints block_in_tile(Ints x, Ints y) const {
-    const Ints tile = shift_right<shift>(y) * Ints(tiles_x_) + shift_right<shift>(x);
-    const Ints mask((1 << shift) - 1);
-    return shift_left<2 * shift>(tile) + shift_left<shift>(y & mask) + (x & mask);
   }
 
-  void add_packed(std::size_t lane, std::uint32_t key, ChunkList<PackedTriangles> TileBin::*kind,
-                  std::uint32_t worth) {
-    const float nearest =
-        bounds_of(std::array{depth_[0][lane], depth_[1][lane], depth_[2][lane]}).near;
-    for (int ty = top_[lane] >> tile_shift_; ty <= bottom_[lane] >> tile_shift_; ++ty) {
-      for (int tx = left_[lane] >> tile_shift_; tx <= right_[lane] >> tile_shift_; ++tx) {
-        const int tile = ty * tiles_x_ + tx;
-        if (hides(tile, nearest)) continue;
-        PackedTriangles& bin = (worker_.bin(tile).*kind).with_room(worker_.arena);
-        worker_.bin(tile).worth += worth;
-        const auto place = static_cast<std::size_t>(bin.count++);
-        const std::int32_t origin_x = tx << (tile_shift_ + 8);
-        const std::int32_t origin_y = ty << (tile_shift_ + 8);
-        for (std::size_t i = 0; i < 3; ++i) {
-          const auto x = static_cast<std::uint32_t>(x_[i][lane] - origin_x);
-          const auto y = static_cast<std::uint32_t>(y_[i][lane] - origin_y);
-          bin.corner[i][place] = (x & 0xFFFFU) | y << 16U;
-          bin.depth[i][place] = depth_[i][lane];
+  /// The tile with the picture's pixel (x, y).
+  Ints tile_of(Ints x, Ints y) const {
+    return with_tile_shift(
+        [&](auto shift) { return shift_right<shift>(y) * Ints(tiles_x_) + shift_right<shift>(x); });
+  }
+
+  /// Where a framebuffer keeps what belongs to the block with the picture's pixel (x, y).
+  Ints block_of(Ints x, Ints y) const {
+    return with_tile_shift([&](auto shift) {
+      constexpr int blocks_shift = shift - 3;
+      const Ints mask((1 << blocks_shift) - 1);
+      return shift_left<2 * blocks_shift>(tile_of(x, y)) +
+             shift_left<blocks_shift>(shift_right<3>(y) & mask) + (shift_right<3>(x) & mask);
+    });
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Triangles of few pixels
+
+  void add_packed(const Triangles& triangles, const SampleBounds& pixels, const std::uint32_t* ids,
+                  const Kinds& kinds, std::uint32_t mask) {
+    const Ints first_tile = tile_of(pixels.left, pixels.top);
+    const Truth in_one_tile = first_tile == tile_of(pixels.right, pixels.bottom);
+    IntLanes tile;
+    store(first_tile, tile.data());
+    std::array<float, lanes> nearest;
+    store(bounds_of(triangles.depth).near, nearest.data());
+    const auto is_small = [&](std::size_t lane) { return (kinds.small >> lane & 1U) != 0; };
+    // Most are in one tile: these are written where they belong, all at once, and others beside.
+    std::array<PackedTriangle, lanes> beside;
+    std::array<PackedTriangle*, lanes> to;
+    for (std::size_t lane = 0; lane < lanes; ++lane) to[lane] = &beside[lane];
+    for (std::uint32_t rest = mask & bits(in_one_tile); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      if (!hides(tile[lane], nearest[lane])) to[lane] = &new_in(tile[lane], is_small(lane));
+    }
+    write_packed(triangles, pixels, ids, to);
+    for (std::uint32_t rest = mask & bits(!in_one_tile); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      const int columns = (right_[lane] >> tile_shift_) - (left_[lane] >> tile_shift_);
+      const int rows = (bottom_[lane] >> tile_shift_) - (top_[lane] >> tile_shift_);
+      for (int row = 0; row <= rows; ++row) {
+        for (int column = 0; column <= columns; ++column) {
+          const int there = tile[lane] + row * tiles_x_ + column;
+          if (hides(there, nearest[lane])) continue;
+          move(beside[lane], column, row, new_in(there, is_small(lane)));
         }
-        bin.key[place] = key;
-        ++worker_.statistics.triangles_binned;
       }
     }
+  }
+
+  PackedTriangle& new_in(int tile, bool is_small) {
+    TileBin& bin = worker_.bin(tile);
+    PackedTriangles& chunk = (is_small ? bin.small : bin.medium).with_room(worker_.arena);
+    bin.worth += is_small ? 1 : TileBin::worth_of_medium;
+    ++worker_.statistics.triangles_binned;
+    return chunk.triangle[static_cast<std::size_t>(chunk.count++)];
+  }
+
+  /// As the tile of each one's first pixel has them.
+  void write_packed(const Triangles& t, const SampleBounds& pixels, const std::uint32_t* ids,
+                    const std::array<PackedTriangle*, lanes>& packed) const {
+    const Ints mask(-(1 << tile_shift_));
+    const Ints x = shift_left<8>(pixels.left & mask);
+    const Ints y = shift_left<8>(pixels.top & mask);
+    std::array<Number, 8> words;
+    for (std::size_t i = 0; i < 3; ++i) {
+      words[i] = from_bit_pattern(((t.x[i] - x) & Ints(0xFFFF)) | shift_left<16>(t.y[i] - y));
+      words[3 + i] = t.depth[i];
+    }
+    words[6] = from_bit_pattern(load(ids) + Ints(static_cast<std::int32_t>(job_.first_key)));
+    words[7] = Number(0);
+    std::array<float*, lanes> to;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      to[lane] = reinterpret_cast<float*>(packed[lane]);
+    }
+    store_fours(&words[0], to.data(), lanes);
+    for (float*& place : to) place += 4;
+    store_fours(&words[4], to.data(), lanes);
+  }
+
+  /// As a tile has it that is so many further right and down. Word by word to where it belongs: a
+  /// record read as a whole would wait for words just written.
+  void move(const PackedTriangle& from, int columns, int rows, PackedTriangle& to) const {
+    const auto right = static_cast<std::uint32_t>(columns) << (tile_shift_ + 8);
+    const auto down = static_cast<std::uint32_t>(rows) << (tile_shift_ + 8);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t corner = from.corner[i];
+      to.corner[i] = ((corner - right) & 0xFFFFU) | ((corner & 0xFFFF0000U) - (down << 16U));
+      to.depth[i] = from.depth[i];
+    }
+    to.key = from.key;
   }
 
   /// Whether everything in a tile is nearer.
@@ -248,9 +318,6 @@ class Binning {
   int tile_shift_;
   int tiles_x_;
   using IntLanes = std::array<std::int32_t, lanes>;
-  std::array<IntLanes, 3> x_;
-  std::array<IntLanes, 3> y_;
-  std::array<std::array<float, lanes>, 3> depth_;
   IntLanes left_, right_, top_, bottom_;
 };
 

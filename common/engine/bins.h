@@ -53,9 +53,17 @@ class Arena {
   std::size_t used_ = block_size;
 };
 
-/// Triangles of a few pixels, side by side. Coordinates count from the tile's corner in 1/256
-/// pixel, x in the low half, y in the high half. Corners are in the order that makes the area
-/// positive.
+/// A triangle of a few pixels: eight words, that are written and read at once. Coordinates count
+/// from the corner of a tile in 1/256 pixel, x in the low half, y in the high half. Corners are in
+/// the order that makes the area positive.
+struct alignas(32) PackedTriangle {
+  std::array<std::uint32_t, 3> corner;
+  std::array<float, 3> depth;
+  std::uint32_t key;
+  std::uint32_t none;  ///< the eighth word
+};
+
+/// Those that reach into one tile.
 struct PackedTriangles {
   static constexpr int capacity = 32;
   static constexpr int max_small_side = 4;     ///< in samples: drawn one per lane
@@ -64,9 +72,7 @@ struct PackedTriangles {
 
   PackedTriangles* next;
   std::int32_t count;
-  alignas(64) std::array<std::array<std::uint32_t, capacity>, 3> corner;
-  std::array<std::array<float, capacity>, 3> depth;
-  std::array<std::uint32_t, capacity> key;
+  std::array<PackedTriangle, capacity> triangle;
 };
 
 /// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive. Three times four

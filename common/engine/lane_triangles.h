@@ -5,6 +5,8 @@
 #include "common/engine/kernels.h"
 #include "common/engine/simd.h"
 
+#include <algorithm>
+
 namespace rasterlab::RASTERLAB_SIMD {
 
 /// Coordinates from the tile's corner, in 1/256 pixel.
@@ -13,20 +15,30 @@ struct LaneCorners {
   std::array<Ints, 3> y;
 };
 
-inline LaneCorners unpack_corners(const PackedTriangles& triangles, int from) {
+/// What a bin has of them.
+struct LaneTriangles {
   LaneCorners corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Ints packed = load(triangles.corner[i].data() + from);
-    corners.x[i] = shift_right<16>(shift_left<16>(packed));
-    corners.y[i] = shift_right<16>(packed);
-  }
-  return corners;
-}
+  std::array<Number, 3> depth;
+  Ints key;
 
-inline std::array<Number, 3> load_depths(const PackedTriangles& triangles, int from) {
-  return {load(triangles.depth[0].data() + from), load(triangles.depth[1].data() + from),
-          load(triangles.depth[2].data() + from)};
-}
+  /// Those from number `from` on; lanes beyond the last one repeat it, whose memory is near.
+  LaneTriangles(const PackedTriangles& triangles, int from) {
+    const auto words = [&](std::size_t lane) {
+      const int number = std::min(from + static_cast<int>(lane), triangles.count - 1);
+      return reinterpret_cast<const float*>(&triangles.triangle[static_cast<std::size_t>(number)]);
+    };
+    std::array<Number, 8> word;
+    load_fours(words, &word[0]);
+    load_fours([&](std::size_t lane) { return words(lane) + 4; }, &word[4]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Ints packed = bit_pattern(word[i]);
+      corners.x[i] = shift_right<16>(shift_left<16>(packed));
+      corners.y[i] = shift_right<16>(packed);
+      depth[i] = word[3 + i];
+    }
+    key = bit_pattern(word[6]);
+  }
+};
 
 inline Ints smallest_of(const std::array<Ints, 3>& a) {
   return minimum(minimum(a[0], a[1]), a[2]);

@@ -18,7 +18,8 @@ struct MediumLanes {
   Numbers d0, k1, k2, far, near;
 
   MediumLanes(const PackedTriangles& triangles, int from, const Tile& tile) {
-    const LaneCorners corners = unpack_corners(triangles, from);
+    const LaneTriangles t(triangles, from);
+    const LaneCorners& corners = t.corners;
     const LaneBounds bounds(corners, tile.size, tile.size);
     store(bounds.left, left.data());
     store(bounds.right, right.data());
@@ -31,7 +32,7 @@ struct MediumLanes {
       store(edge.step_x, step_x[i].data());
       store(edge.step_y, step_y[i].data());
     }
-    const LaneDepth depth(corners, load_depths(triangles, from));
+    const LaneDepth depth(corners, t.depth);
     store(depth.d0, d0.data());
     store(depth.k1, k1.data());
     store(depth.k2, k2.data());

@@ -154,7 +154,7 @@ inline void draw_medium(const Tile& tile, const PackedTriangles& triangles, bool
       BlockMask open = reached;
       if (skip_hidden) open = without_hidden(tile, open, t.near[lane], statistics);
       if (open == 0) continue;
-      const std::uint32_t key = triangles.key[static_cast<std::size_t>(from) + lane];
+      const std::uint32_t key = triangles.triangle[static_cast<std::size_t>(from) + lane].key;
       if (CompactTriangle::is_one(t, lane) && have_pixels(tile, reached)) {
         CompactTriangle(tile, t, lane, key).draw();
         drawn |= reached;

@@ -12,6 +12,7 @@ struct SmallLanes {
   Ints columns, rows;         ///< pixels to walk over, less one; −1 in lanes without a triangle
   std::array<LaneEdge, 3> e;  ///< at the first pixel
   LaneDepth depth;
+  Ints key;
 };
 
 /// Which lanes' triangles are behind all that the blocks they touch already show: those of their
@@ -33,11 +34,12 @@ inline Truth hidden_lanes(const Tile& tile, const LaneBounds& bounds, Number nea
 
 inline SmallLanes load_small(const PackedTriangles& triangles, int from, const Tile& tile,
                              bool skip_hidden) {
-  const LaneCorners corners = unpack_corners(triangles, from);
+  const LaneTriangles t(triangles, from);
+  const LaneCorners& corners = t.corners;
   const LaneBounds bounds(corners, tile.width, tile.height);
   const Ints px = shift_left<8>(bounds.left) + Ints(128);
   const Ints py = shift_left<8>(bounds.top) + Ints(128);
-  const LaneDepth depth(corners, load_depths(triangles, from));
+  const LaneDepth depth(corners, t.depth);
   Truth present = first_lanes(std::min(triangles.count - from, lanes));
   if (skip_hidden) present = present && !hidden_lanes(tile, bounds, depth.bounds.near);
   return {
@@ -46,10 +48,11 @@ inline SmallLanes load_small(const PackedTriangles& triangles, int from, const T
       select(present, bounds.right - bounds.left, Ints(-1)),
       select(present, bounds.bottom - bounds.top, Ints(-1)),
       {LaneEdge(corners, 0, px, py), LaneEdge(corners, 1, px, py), LaneEdge(corners, 2, px, py)},
-      depth};
+      depth,
+      t.key};
 }
 
-inline void walk_small(const Tile& tile, SmallLanes t, Ints key, HitList& hits) {
+inline void walk_small(const Tile& tile, SmallLanes t, HitList& hits) {
   const std::int32_t columns = largest(t.columns);
   const std::int32_t rows = largest(t.rows);
   for (std::int32_t row = 0; row <= rows; ++row) {
@@ -61,7 +64,7 @@ inline void walk_small(const Tile& tile, SmallLanes t, Ints key, HitList& hits) 
       const Truth hit = outside >= Ints(0);
       if (any(hit)) {
         hits.add(hit, place_in_tile(tile, t.left + Ints(column), t.top + Ints(row)),
-                 t.depth.at(e[1] + t.e[1].lessened, e[2] + t.e[2].lessened), key);
+                 t.depth.at(e[1] + t.e[1].lessened, e[2] + t.e[2].lessened), t.key);
       }
       for (std::size_t i = 0; i < 3; ++i) e[i] = e[i] + t.e[i].step_x;
     }
@@ -72,8 +75,7 @@ inline void walk_small(const Tile& tile, SmallLanes t, Ints key, HitList& hits) 
 inline void draw_small(const Tile& tile, const PackedTriangles& triangles, bool skip_hidden,
                        HitList& hits) {
   for (int from = 0; from < triangles.count; from += lanes) {
-    walk_small(tile, load_small(triangles, from, tile, skip_hidden),
-               load(triangles.key.data() + from), hits);
+    walk_small(tile, load_small(triangles, from, tile, skip_hidden), hits);
   }
   hits.write();
 }
