@@ -3,8 +3,7 @@
 #pragma once
 
 #include "common/mesh/shader_types.h"
-#include "common/texture/texture.h"
-#include "common/texture/trilinear.h"
+#include "common/texture/texture_pair.h"
 
 #include <vector>
 
@@ -96,10 +95,10 @@ struct PhongShader {
   }
 };
 
-template <class Number>
-Vector3<Number> sample_at(const Texture& texture, const Vector2<Number>& uv,
-                          const Vector2<Number>& dx, const Vector2<Number>& dy) {
-  return sample_trilinear(texture, Wrap::repeat, Footprint<Number>{uv, dx, dy});
+/// What of a texture a pixel sees.
+template <class Point>
+auto footprint_of(const Point& point) {
+  return Footprint<typename Point::Number>{point.value.uv, point.dx.uv, point.dy.uv};
 }
 
 struct TexturedShader {
@@ -119,14 +118,13 @@ struct TexturedShader {
   template <class Number>
   Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
     return phong(lighting, normalized(point.value.normal), point.value.position,
-                 sample_at<Number>(*texture, point.value.uv, point.dx.uv, point.dy.uv));
+                 sample_trilinear(*texture, Wrap::repeat, footprint_of(point)));
   }
 };
 
 struct NormalMappedShader {
   Lighting lighting;
-  const Texture* texture;
-  const Texture* normal_map;
+  TexturePair maps;                              ///< of normals and of colours
   const std::vector<Eigen::Vector3f>* tangents;  ///< one per vertex
 
   template <class Number>
@@ -148,7 +146,7 @@ struct NormalMappedShader {
     const Vector3<Number>& t = value.tangent;
     const Vector3<Number> b(n.y() * t.z() - n.z() * t.y(), n.z() * t.x() - n.x() * t.z(),
                             n.x() * t.y() - n.y() * t.x());
-    const Vector3<Number> bump = sample_at<Number>(*normal_map, value.uv, point.dx.uv, point.dy.uv);
+    const auto [bump, color] = sample_trilinear(maps, Wrap::repeat, footprint_of(point));
     const Number x = bump.x() * Number(2) - Number(1);
     const Number y = bump.y() * Number(2) - Number(1);
     const Number z = bump.z() * Number(2) - Number(1);
@@ -156,8 +154,7 @@ struct NormalMappedShader {
       return fused_multiply_add(x, t[i], fused_multiply_add(y, b[i], Number(z * n[i])));
     };
     const Vector3<Number> normal(blend(0), blend(1), blend(2));
-    return phong(lighting, normalized(normal), value.position,
-                 sample_at<Number>(*texture, value.uv, point.dx.uv, point.dy.uv));
+    return phong(lighting, normalized(normal), value.position, color);
   }
 };
 

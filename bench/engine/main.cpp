@@ -99,7 +99,7 @@ class Ours {
     const FlatShader flat = {lighting};
     const PhongShader phong = {lighting};
     const TexturedShader textured = {lighting, &texture_};
-    const NormalMappedShader mapped = {lighting, &texture_, &normal_map_, &scene.tangents};
+    const NormalMappedShader mapped = {lighting, {normal_map_, texture_}, &scene.tangents};
     DrawCall call = {.mesh = prepared_.get(), .matrix = scene.matrix, .keep = keep};
     if (kind == ShadingKind::flat) call.shading = shading(flat);
     if (kind == ShadingKind::phong) call.shading = shading(phong);

@@ -165,14 +165,35 @@ inline std::array<Vector3<NumberPair>, 4> gather_square(const TexelAndAbove* tex
           join(low[3], high[3])};
 }
 #if HWY_TARGET == HWY_AVX3
-inline bool gather_near_squares(const TexelAndAbove* texels, int width, int height, NumberPair left,
-                                NumberPair low, std::array<Vector3<NumberPair>, 4>& squares) {
-  std::array<Vector3<Number>, 4> of_low;
-  std::array<Vector3<Number>, 4> of_high;
-  if (!gather_near_squares(texels, width, height, left.low, low.low, of_low)) return false;
-  if (!gather_near_squares(texels, width, height, left.high, low.high, of_high)) return false;
-  for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = join(of_low[i], of_high[i]);
-  return true;
+struct NearSquarePairs {
+  bool found;
+  std::ptrdiff_t low_corner, high_corner;
+  Ints low, high;  ///< the first ones
+};
+
+/// All of them near one another, as most often, or those of each half.
+inline NearSquarePairs find_near_squares(int width, int height, NumberPair left, NumberPair low) {
+  const MiddleLane middle(left.high, low.high);
+  const FromMiddle of_high(middle, left.high, low.high);
+  if (!middle.is_inside(width, height) || !of_high.are_near()) return {};
+  const FromMiddle of_low(middle, left.low, low.low);
+  const std::ptrdiff_t corner = middle.corner(width);
+  if (of_low.are_near()) return {true, corner, corner, of_low.first(), of_high.first()};
+  const NearSquares own = find_near_squares(width, height, left.low, low.low);
+  return {own.found, own.corner, corner, own.first, of_high.first()};
+}
+
+inline std::array<Vector3<NumberPair>, 4> gather_near_squares(const TexelAndAbove* texels,
+                                                              int width,
+                                                              const NearSquarePairs& squares) {
+  NearTexels near(texels + squares.low_corner, width);
+  const auto low = near.squares(squares.low);
+  if (squares.low_corner != squares.high_corner) {
+    near = NearTexels(texels + squares.high_corner, width);
+  }
+  const auto high = near.squares(squares.high);
+  return {join(low[0], high[0]), join(low[1], high[1]), join(low[2], high[2]),
+          join(low[3], high[3])};
 }
 #endif
 

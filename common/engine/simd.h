@@ -459,48 +459,89 @@ inline std::array<Vector3<Number>, 4> gather_square(const TexelAndAbove* texels,
 }
 
 #if HWY_TARGET == HWY_AVX3
-/// The same for lanes whose texels lie close together, as they do where a texture is magnified: all
-/// of them are in 8 columns and 4 rows, which are loaded and unpacked once; each lane then finds
-/// its own by permutation. `left` and `low` are whole numbers, or not numbers. Returns whether
-/// there is such a part of the picture, in whose midst the middle lane is; if not, `squares` mean
-/// nothing.
-inline bool gather_near_squares(const TexelAndAbove* texels, int width, int height, Number left,
-                                Number low, std::array<Vector3<Number>, 4>& squares) {
-  const auto middle_lane = [](Number a) { return hn::GetLane(hn::Broadcast<3>(a.v)); };
-  const float middle_left = middle_lane(left);
-  const float middle_low = middle_lane(low);
-  const Number right = left - Number(middle_left);
-  const Number up = low - Number(middle_low);
-  if (!all(magnitude(right) <= Number(3) && magnitude(up) <= Number(1))) return false;
-  const auto is_inside = [](float middle, int before, int after, int size) {
-    return middle >= static_cast<float>(before) && middle < static_cast<float>(size - after);
-  };
-  if (!is_inside(middle_left, 3, 4, width) || !is_inside(middle_low, 1, 2, height)) return false;
+// The same for lanes whose texels lie close together, as they do where a texture is magnified: all
+// of them are in 8 columns and 4 rows, which are loaded and unpacked once; each lane then finds its
+// own by permutation.
 
-  // A table of two rows, and of the two above them.
-  const auto row_and_above = [&](int row) {
-    alignas(64) static constexpr std::array<std::int32_t, 16> rows_apart = {
-        0, 2, 4, 6, 8, 10, 12, 14, 1, 3, 5, 7, 9, 11, 13, 15};
-    const auto place =
-        static_cast<std::ptrdiff_t>(row) * width + static_cast<std::ptrdiff_t>(middle_left) - 3;
-    const Ints packed = load(reinterpret_cast<const std::uint32_t*>(texels + place));
-    const auto order = hn::IndicesFromVec(IntTag(), load(rows_apart.data()).v);
-    return unpack_texel(Ints(hn::TableLookupLanes(packed.v, order)));
-  };
-  const int row = static_cast<int>(middle_low) - 1;
-  const Vector3<Number> lower = row_and_above(row);
-  const Vector3<Number> upper = row_and_above(row + 2);
+/// A lane in the midst of the others, and where its square is.
+struct MiddleLane {
+  float left, low;
 
-  const Ints place = to_whole(right + up * Number(8)) + Ints(3 + 8);
-  const auto texel = [&](int further) {
-    const auto at = (place + Ints(further)).v.raw;
-    const auto channel = [&](int i) {
-      return Number(hn::Vec<FloatTag>{_mm512_permutex2var_ps(lower[i].v.raw, at, upper[i].v.raw)});
+  MiddleLane(Number left_of_lanes, Number low_of_lanes)
+      : left(of_lanes(left_of_lanes)), low(of_lanes(low_of_lanes)) {}
+
+  static float of_lanes(Number a) { return hn::GetLane(hn::Broadcast<3>(a.v)); }
+
+  /// Whether the columns and rows around it are part of the picture.
+  bool is_inside(int width, int height) const {
+    return left >= 3 && left < static_cast<float>(width - 4) && low >= 1 &&
+           low < static_cast<float>(height - 2);
+  }
+  /// The first of their texels. Asked where they are inside.
+  std::ptrdiff_t corner(int width) const {
+    return static_cast<std::ptrdiff_t>(static_cast<int>(low) - 1) * width +
+           (static_cast<int>(left) - 3);
+  }
+};
+
+/// Where the lanes' squares are from there.
+struct FromMiddle {
+  Number right, up;
+
+  FromMiddle(MiddleLane middle, Number left, Number low)
+      : right(left - Number(middle.left)), up(low - Number(middle.low)) {}
+
+  bool are_near() const { return all(magnitude(right) <= Number(3) && magnitude(up) <= Number(1)); }
+  /// Which of the texels is each square's first.
+  Ints first() const { return to_whole(right + up * Number(8)) + Ints(3 + 8); }
+};
+
+struct NearSquares {
+  bool found;
+  std::ptrdiff_t corner;
+  Ints first;
+};
+
+inline NearSquares find_near_squares(int width, int height, Number left, Number low) {
+  const MiddleLane middle(left, low);
+  const FromMiddle squares(middle, left, low);
+  if (!middle.is_inside(width, height) || !squares.are_near()) return {};
+  return {true, middle.corner(width), squares.first()};
+}
+
+/// The columns and rows, unpacked.
+struct NearTexels {
+  Vector3<Number> lower;  ///< two rows of eight
+  Vector3<Number> upper;  ///< the next two
+
+  NearTexels(const TexelAndAbove* corner, int width) {
+    const auto row_and_above = [&](const TexelAndAbove* row) {
+      alignas(64) static constexpr std::array<std::int32_t, 16> rows_apart = {
+          0, 2, 4, 6, 8, 10, 12, 14, 1, 3, 5, 7, 9, 11, 13, 15};
+      const auto order = hn::IndicesFromVec(IntTag(), load(rows_apart.data()).v);
+      return unpack_texel(
+          Ints(hn::TableLookupLanes(load(reinterpret_cast<const std::uint32_t*>(row)).v, order)));
     };
-    return Vector3<Number>(channel(0), channel(1), channel(2));
-  };
-  squares = {texel(0), texel(1), texel(8), texel(8 + 1)};
-  return true;
+    lower = row_and_above(corner);
+    upper = row_and_above(corner + std::ptrdiff_t{2} * width);
+  }
+
+  /// Per lane.
+  Vector3<Number> texel(Ints at) const {
+    const auto channel = [&](int i) {
+      return Number(
+          hn::Vec<FloatTag>{_mm512_permutex2var_ps(lower[i].v.raw, at.v.raw, upper[i].v.raw)});
+    };
+    return {channel(0), channel(1), channel(2)};
+  }
+  std::array<Vector3<Number>, 4> squares(Ints first) const {
+    return {texel(first), texel(first + Ints(1)), texel(first + Ints(8)), texel(first + Ints(9))};
+  }
+};
+
+inline std::array<Vector3<Number>, 4> gather_near_squares(const TexelAndAbove* texels, int width,
+                                                          const NearSquares& squares) {
+  return NearTexels(texels + squares.corner, width).squares(squares.first);
 }
 #endif
 

@@ -9,8 +9,8 @@ namespace rasterlab {
 /// a + part · (b − a): where a and b are equal, exactly that.
 template <class Number>
 Vector3<Number> blend(const Vector3<Number>& a, const Vector3<Number>& b, const Number& part) {
-  return {a.x() + part * (b.x() - a.x()), a.y() + part * (b.y() - a.y()),
-          a.z() + part * (b.z() - a.z())};
+  const auto channel = [&](int i) { return fused_multiply_add(part, Number(b[i] - a[i]), a[i]); };
+  return {channel(0), channel(1), channel(2)};
 }
 
 /// The colour, in [0, 1], at (u, v) of one level, linear in u and in v between the centres of

@@ -24,7 +24,7 @@ Vector2<Number> to_texels(const Texture& texture, const Vector2<Number>& step) {
 
 template <class Number>
 Number squared_length(const Vector2<Number>& vector) {
-  return vector.x() * vector.x() + vector.y() * vector.y();
+  return fused_multiply_add(vector.x(), vector.x(), Number(vector.y() * vector.y()));
 }
 
 /// The level whose texels are `texels` of level 0 wide, given the square of that: fractional,

@@ -16,7 +16,8 @@ struct TexelPair {
 
 template <class Number>
 TexelPair<Number> texel_pair(const Number& coordinate, const Number& size, Wrap wrap) {
-  const Number from_center = wrap_coordinate(coordinate, wrap) * size - Number(0.5F);
+  const Number from_center =
+      fused_multiply_add(wrap_coordinate(coordinate, wrap), size, Number(-0.5F));
   const Number first = round_down(from_center);
   return {first, from_center - first};
 }
@@ -29,28 +30,41 @@ struct TexelSquare {
   Number up;                              ///< and from the lower to the upper ones
 };
 
-/// Of (u, v) in one level; beyond an edge there is what `wrap` says.
-template <class Number>
-TexelSquare<Number> texel_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
-                                 const Number& level_index) {
-  if constexpr (Texture::finds_near_texels<Number>) {
+/// Calls `visit(square, right, up)` for where they lie about (u, v) in one level (texture.h);
+/// beyond an edge there is what `wrap` says.
+template <class Number, class Visit>
+auto visit_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
+                  const Number& level_index, const Visit& visit) {
+  if constexpr (!std::is_same_v<Texture::NearSquare<Number>, NoNearSquares>) {
     // Most pixels are answered here; what isn't at an edge needs no wrapping.
     if (!any(level_index > Number(0))) {
       const auto from_center = [](const Number& coordinate, int size) {
-        return coordinate * Number(static_cast<float>(size)) - Number(0.5F);
+        return fused_multiply_add(coordinate, Number(static_cast<float>(size)), Number(-0.5F));
       };
       const Number x = from_center(uv.x(), texture.width());
       const Number y = from_center(uv.y(), texture.height());
       const Number left = round_down(x);
       const Number low = round_down(y);
-      std::array<Vector3<Number>, 4> texels;
-      if (texture.find_near_texels(left, low, texels)) return {texels, x - left, y - low};
+      const auto square = texture.near_square(left, low);
+      if (square.found) return visit(square, Number(x - left), Number(y - low));
     }
   }
   const auto level = texture.level(level_index);
   const auto column = texel_pair(uv.x(), level.width, wrap);
   const auto row = texel_pair(uv.y(), level.height, wrap);
-  return {texture.texels(level, column.first, row.first, wrap), column.part, row.part};
+  return texture.visit_square(level, column.first, row.first, wrap, [&](const auto& square) {
+    return visit(square, column.part, row.part);
+  });
+}
+
+template <class Number>
+TexelSquare<Number> texel_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
+                                 const Number& level_index) {
+  return visit_square(
+      texture, wrap, uv, level_index,
+      [&](const auto& square, const Number& right, const Number& up) -> TexelSquare<Number> {
+        return {texture.texels(square), right, up};
+      });
 }
 
 }  // namespace rasterlab

@@ -13,6 +13,22 @@
 
 namespace rasterlab {
 
+/// What near_squares() finds for a Number that has no way of its own.
+struct NoNearSquares {
+  static constexpr bool found = false;
+};
+/// Where squares of four texels are, their first ones in columns `left` and rows `low` of a picture
+/// (whole numbers, or not numbers): `found` if the lanes' are so close together, and to no edge,
+/// that it is quicker to have them all at once.
+template <class Number>
+auto near_squares(int width, int height, const Number& left, const Number& low) {
+  if constexpr (requires { find_near_squares(width, height, left, low); }) {
+    return find_near_squares(width, height, left, low);
+  } else {
+    return NoNearSquares();
+  }
+}
+
 /// Whether a texture also holds its smaller copies, which only some filters read.
 enum class MipLevels { none, all };
 
@@ -60,17 +76,35 @@ class Texture {
     return gather_texel(texels_.data(), place(level, column, row));
   }
 
-  /// Four texels of a level: of row `low`, in column `left` and the next one, then of the next row.
-  /// Both from −1 up, and with what is next may be one beyond the edge, where `wrap` says what is.
+  // Where four texels lie that are next to each other: the same in all textures of one size. One of
+  // three kinds.
+
+  /// Of level 0, lanes close together.
   template <class Number>
-  std::array<Vector3<Number>, 4> texels(const Level<Number>& level, const Number& left,
-                                        const Number& low, Wrap wrap) const {
+  using NearSquare = decltype(near_squares(0, 0, Number(), Number()));
+  /// Side by side in all lanes: the place of the first one.
+  template <class Number>
+  struct WholeSquare {
+    Whole<Number> first;
+  };
+  /// The place of each.
+  template <class Number>
+  struct AnySquare {
+    std::array<Whole<Number>, 4> place;
+  };
+
+  /// Calls `visit` for the square of row `low`, in column `left` and the next one, then of the next
+  /// row. Both from −1 up, and with what is next may be one beyond the edge, where `wrap` says what
+  /// is.
+  template <class Number, class Visit>
+  auto visit_square(const Level<Number>& level, const Number& left, const Number& low, Wrap wrap,
+                    const Visit& visit) const {
     const auto has_next = [](const Number& first, const Number& size) {
       return first >= Number(0) && first < size - Number(1);
     };
     if constexpr (requires { gather_square(texels_.data(), level.first); }) {
       if (all(has_next(left, level.width) && has_next(low, level.height))) {
-        return gather_square(texels_.data(), place(level, left, low));
+        return visit(WholeSquare<Number>{place(level, left, low)});
       }
     }
     const std::array<Number, 2> column = {
@@ -78,23 +112,30 @@ class Texture {
         wrap_neighbor(Number(left + Number(1)), level.width, wrap)};
     const std::array<Number, 2> row = {wrap_neighbor(low, level.height, wrap),
                                        wrap_neighbor(Number(low + Number(1)), level.height, wrap)};
-    return {texel(level, column[0], row[0]), texel(level, column[1], row[0]),
-            texel(level, column[0], row[1]), texel(level, column[1], row[1])};
+    return visit(
+        AnySquare<Number>{{place(level, column[0], row[0]), place(level, column[1], row[0]),
+                           place(level, column[0], row[1]), place(level, column[1], row[1])}});
   }
 
-  /// Whether a Number's lanes can have what lies close together at once.
+  /// In level 0.
   template <class Number>
-  static constexpr bool finds_near_texels = requires(const TexelAndAbove* all, const Number& n,
-                                                     std::array<Vector3<Number>, 4>& texels) {
-    gather_near_squares(all, 0, 0, n, n, texels);
-  };
+  NearSquare<Number> near_square(const Number& left, const Number& low) const {
+    return near_squares(width(), height(), left, low);
+  }
 
-  /// The same texels of level 0, if the lanes lie close together and none at an edge: then true.
-  /// `left` and `low` are any whole numbers, or not numbers.
+  /// The four texels of a square: red, green, blue from 0 to 255.
+  template <class Near>
+  auto texels(const Near& square) const {
+    return gather_near_squares(texels_.data(), width(), square);
+  }
   template <class Number>
-  bool find_near_texels(const Number& left, const Number& low,
-                        std::array<Vector3<Number>, 4>& texels) const {
-    return gather_near_squares(texels_.data(), width(), height(), left, low, texels);
+  std::array<Vector3<Number>, 4> texels(const WholeSquare<Number>& square) const {
+    return gather_square(texels_.data(), square.first);
+  }
+  template <class Number>
+  std::array<Vector3<Number>, 4> texels(const AnySquare<Number>& square) const {
+    const auto texel = [&](std::size_t i) { return gather_texel(texels_.data(), square.place[i]); };
+    return {texel(0), texel(1), texel(2), texel(3)};
   }
 
  private:

@@ -1,4 +1,5 @@
 #include "common/texture/sample.h"
+#include "common/texture/texture_pair.h"
 
 #include "tests/stage06/noise.h"
 #include "tests/stage06/quad.h"
@@ -216,6 +217,24 @@ TEST(stage06_sample_trilinear, blends_the_two_levels_about_its_own) {
     EXPECT_LE((sample_trilinear(texture, Wrap::mirror, footprint).cast<double>() - expected).norm(),
               1e-6);
   }
+}
+
+TEST(stage06_sample_trilinear, of_a_pair_is_that_of_each) {
+  const Texture one(noise(16, 12, 16));
+  const Texture other(noise(16, 12, 17));
+  const TexturePair pair(one, other);
+  std::mt19937 random(18);
+  for (const Wrap wrap : all_wraps) {
+    for (int i = 0; i < 2000; ++i) {
+      // Magnified ones, and minified beyond the last level.
+      const auto footprint = random_footprint(random, 2, i % 2 == 0 ? 0.1F : 2.0F);
+      const auto colors = sample_trilinear(pair, wrap, footprint);
+      ASSERT_LE((colors[0] - sample_trilinear(one, wrap, footprint)).norm(), 1e-6F);
+      ASSERT_LE((colors[1] - sample_trilinear(other, wrap, footprint)).norm(), 1e-6F);
+    }
+  }
+  EXPECT_THROW(TexturePair(one, Texture(noise(12, 16, 17))), CheckError);
+  EXPECT_THROW(TexturePair(one, Texture(noise(16, 12, 17), MipLevels::none)), CheckError);
 }
 
 TEST(stage06_sample_anisotropic, the_ellipse_has_the_singular_values_of_the_derivatives) {
