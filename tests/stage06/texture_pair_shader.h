@@ -24,12 +24,12 @@ struct TexturePairShader {
   template <class Number>
   Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
     const Footprint<Number> footprint = {point.value.uv, point.dx.uv, point.dy.uv};
-    const auto of = [&](const Texture& texture) {
+    const auto alone = [&](const Texture& texture) {
       return sample_trilinear(texture, Wrap::repeat, footprint);
     };
     const std::array<Vector3<Number>, 2> colors =
         at_once ? sample_trilinear(textures, Wrap::repeat, footprint)
-                : std::array<Vector3<Number>, 2>{of(textures.one()), of(textures.other())};
+                : std::array<Vector3<Number>, 2>{alone(textures.one()), alone(textures.other())};
     return {colors[0].x(), colors[1].y(), (colors[0].z() + colors[1].z()) * Number(0.5F)};
   }
 };
