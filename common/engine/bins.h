@@ -65,7 +65,7 @@ struct alignas(32) PackedTriangle {
 
 /// Those that reach into one tile.
 struct PackedTriangles {
-  static constexpr int capacity = 32;
+  static constexpr int capacity = 16;
   static constexpr int max_small_side = 4;     ///< in samples: drawn one per lane
   static constexpr int max_compact_side = 16;  ///< in samples: drawn vector by vector
   static constexpr int max_medium_side = 63;   ///< in pixels, so that halves of a word are enough
