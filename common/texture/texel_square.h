@@ -57,6 +57,7 @@ auto visit_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
   });
 }
 
+/// The texels about (u, v) in one level, 0 to its last, found and fetched.
 template <class Number>
 TexelSquare<Number> texel_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
                                  const Number& level_index) {
