@@ -58,6 +58,8 @@ inline std::uint32_t corner_vertex(const Mesh& mesh, std::uint32_t triangle, int
 
 /// One colour per triangle, by the normal of its last corner.
 struct FlatShader {
+  static constexpr bool reads_derivatives = false;
+
   Lighting lighting;
 
   template <class Number>
@@ -77,6 +79,8 @@ struct FlatShader {
 };
 
 struct PhongShader {
+  static constexpr bool reads_derivatives = false;
+
   Lighting lighting;
 
   template <class Number>

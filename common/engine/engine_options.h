@@ -14,9 +14,12 @@ struct Skips {
   bool hidden_clusters = true;    ///< clusters behind what is already drawn
   bool hidden_triangles = true;   ///< triangles, or what of them is in a block of 8×8 pixels
   bool front_to_back = true;      ///< draws near clusters first, so that more is hidden
+  bool skipped_vertices = true;   ///< of clusters that are left out for one of these three reasons
+  bool back_faces = true;         ///< triangles that culling leaves out
   bool zero_area = true;          ///< triangles that snapping left no area
   bool missed_samples = true;     ///< triangles in the picture that have no sample in their box
   bool hidden_fragments = true;   ///< shades when all is drawn, each visible pixel once
+  bool unread_attributes = true;  ///< derivatives of varyings that a shader doesn't read
   bool untouched_tiles = true;    ///< tiles nothing is drawn into
   bool unwanted_depth = true;     ///< depth and triangle numbers that a draw call need not keep
   bool undisputed_blocks = true;  ///< of those, the ones of 8×8 pixels no two triangles compete for
@@ -28,15 +31,18 @@ struct NamedSkip {
 };
 
 /// All of them, for those who switch one off after the other.
-inline constexpr std::array<NamedSkip, 11> named_skips = {
+inline constexpr std::array<NamedSkip, 14> named_skips = {
     {{"outside", &Skips::outside},
      {"facing away", &Skips::facing_away},
      {"hidden clusters", &Skips::hidden_clusters},
      {"hidden triangles", &Skips::hidden_triangles},
      {"front to back", &Skips::front_to_back},
+     {"skipped vertices", &Skips::skipped_vertices},
+     {"back faces", &Skips::back_faces},
      {"zero area", &Skips::zero_area},
      {"missed samples", &Skips::missed_samples},
      {"hidden fragments", &Skips::hidden_fragments},
+     {"unread attributes", &Skips::unread_attributes},
      {"untouched tiles", &Skips::untouched_tiles},
      {"unwanted depth", &Skips::unwanted_depth},
      {"undisputed blocks", &Skips::undisputed_blocks}}};

@@ -44,6 +44,8 @@ struct TileMemory {
 class FrameAccess {
  public:
   enum ColorState : std::uint8_t { stale, background, picture };
+  /// Nothing; with depth and keys in the framebuffer; with them elsewhere for a while.
+  enum DrawnState : std::uint8_t { not_drawn, drawn_here, drawn_in_passing };
 
   explicit FrameAccess(Framebuffer& frame) : frame_(frame) {}
 
@@ -89,8 +91,9 @@ class FrameAccess {
   /// Wipes a tile that nothing was drawn into since clear().
   void prepare(const Tile& tile) const {
     std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(tile.index)];
-    if (drawn != 0) return;
-    drawn = 1;
+    if (drawn != not_drawn) return;
+    const bool here = tile.block_far == this->tile(tile.index).block_far;
+    drawn = here ? drawn_here : drawn_in_passing;
     std::fill_n(tile.block_far, tile.block_count(), 0.0F);
     if (tile.undisputed != nullptr) {
       tile.undisputed->begin(tile.block_count());

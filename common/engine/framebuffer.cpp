@@ -29,7 +29,7 @@ Framebuffer::Framebuffer(int width, int height, int tile_size)
       color_(width, height) {
   const auto tiles = static_cast<std::size_t>(tile_count());
   const std::size_t pixels = tiles * static_cast<std::size_t>(tile_pixels());
-  drawn_.assign(tiles, 0);
+  drawn_.assign(tiles, FrameAccess::not_drawn);
   has_color_.assign(tiles, FrameAccess::background);
   // Not written before a tile is drawn into: memory that is never touched is never there.
   tile_far_ = std::make_unique<float[]>(tiles);
@@ -44,9 +44,14 @@ void Framebuffer::clear(const Rgb8& background) {
   for (std::uint8_t& state : has_color_) {
     if (state == FrameAccess::picture || !keeps) state = FrameAccess::stale;
   }
-  std::fill(drawn_.begin(), drawn_.end(), std::uint8_t{0});
+  const std::size_t blocks = static_cast<std::size_t>(tile_pixels()) / 64;
+  for (std::size_t tile = 0; tile < drawn_.size(); ++tile) {
+    if (drawn_[tile] == FrameAccess::drawn_here) {
+      std::fill_n(block_far_.get() + tile * blocks, blocks, 0.0F);
+    }
+  }
+  std::fill(drawn_.begin(), drawn_.end(), FrameAccess::not_drawn);
   std::fill_n(tile_far_.get(), drawn_.size(), 0.0F);
-  std::fill_n(block_far_.get(), drawn_.size() * static_cast<std::size_t>(tile_pixels()) / 64, 0.0F);
   background_ = background_there_ = background;
   keys_used_ = 0;
   kept_ = Keep::everything;
@@ -78,7 +83,7 @@ Image<Pixel> Framebuffer::read(const Value* values, Pixel empty) const {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
       const int tile = y / tile_size_ * tiles_x_ + x / tile_size_;
-      if (drawn_[static_cast<std::size_t>(tile)] == 0) continue;
+      if (drawn_[static_cast<std::size_t>(tile)] == FrameAccess::not_drawn) continue;
       const int x_in_tile = x % tile_size_;
       const int y_in_tile = y % tile_size_;
       const int block = y_in_tile / 8 * (tile_size_ / 8) + x_in_tile / 8;

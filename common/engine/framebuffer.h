@@ -72,7 +72,7 @@ class Framebuffer {
   Keep kept_ = Keep::everything;
 
   // Per tile.
-  std::vector<std::uint8_t> drawn_;              ///< its depth and keys are valid
+  std::vector<std::uint8_t> drawn_;              ///< whether something is, and where its depth is
   mutable std::vector<std::uint8_t> has_color_;  ///< nothing, the background, or a picture
   Rgb8 background_there_;                        ///< which background those have
   std::unique_ptr<float[]> tile_far_;            ///< the farthest depth in the tile
@@ -80,7 +80,7 @@ class Framebuffer {
   // Tile after tile, in a tile 8×8 blocks row by row, in a block pixels row by row.
   HugePages<float> depth_;
   HugePages<std::uint32_t> key_;        ///< id + 1; 0: nothing
-  std::unique_ptr<float[]> block_far_;  ///< per block, the farthest depth in it
+  std::unique_ptr<float[]> block_far_;  ///< per block, the farthest depth in it; 0 if it isn't here
   mutable Image<Rgb8> color_;
 };
 

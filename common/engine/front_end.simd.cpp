@@ -55,6 +55,18 @@ void transform_vertices(const ClipTransform& transform, const Clusters& clusters
                          largest(high_y) - smallest(low_y) <= 64 * 256;
 }
 
+/// Of a cluster that is left out.
+void skip_vertices(const DrawJob& job, const Cluster& cluster, Statistics& statistics) {
+  if (job.skip.skipped_vertices) {
+    statistics.vertices_skipped += cluster.vertex_count;
+    return;
+  }
+  ClusterVertices vertices;
+  transform_vertices(job.transform, job.mesh->clusters(), cluster, vertices);
+  keep(vertices);
+  statistics.vertices += cluster.vertex_count;
+}
+
 // ---------------------------------------------------------------------------------------------
 // A cluster's triangles
 
@@ -72,8 +84,10 @@ Truth kept_side(Cull cull, Number area) {
   return area != Number(0);
 }
 
-void make_area_positive(Triangles& t, Number area) {
-  const Truth swap = area < Number(0);
+/// Negative, of those that culling leaves out: no pixel is inside all edges of such a triangle.
+void orient(Triangles& t, Number area, Truth culled) {
+  const Truth clockwise = area > Number(0);
+  const Truth swap = (culled && clockwise) || !(culled || clockwise);
   const auto exchange = [swap](auto& a, auto& b) {
     const auto old = a;
     a = select(swap, b, a);
@@ -115,7 +129,8 @@ Truth in_picture(const DrawJob& job, const SampleBounds& bounds) {
 }
 
 /// One triangle of a clipped polygon.
-void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Binning& binning) {
+void bin_part(const DrawJob& job, const ClippedPart& part, bool culled, std::uint32_t key,
+              Binning& binning) {
   LargeTriangle triangle;
   triangle.key = key;
   auto& x = triangle.x;
@@ -126,7 +141,7 @@ void bin_part(const DrawJob& job, const ClippedPart& part, std::uint32_t key, Bi
     y[c] = part.snapped[c].y;
     depth[c] = part.corner[c]->reversed_depth();
   }
-  if (part.side() < 0) {
+  if ((part.side() < 0) != culled) {
     std::swap(x[1], x[2]);
     std::swap(y[1], y[2]);
     std::swap(depth[1], depth[2]);
@@ -152,20 +167,24 @@ TrianglePositions positions_of(const Clusters& clusters, const Cluster& cluster,
 
 /// Triangles that need clipping, one by one.
 void bin_clipped(const DrawJob& job, const Clusters& clusters, const Cluster& cluster,
-                 std::uint32_t index, Binning& binning) {
+                 std::uint32_t index, Binning& binning, Statistics& statistics) {
   const TrianglePositions positions = positions_of(clusters, cluster, index);
   const std::uint32_t key = job.first_key + clusters.triangle[index];
   const ClippedPolygon polygon = clip_triangle(job.transform, positions);
   const ClippedParts parts = parts_of(job.transform, polygon);
-  if (!any(kept_side(job.cull, Number(static_cast<float>(parts.side))))) return;
-  if (parts.any_turned_over()) {
+  const bool culled = !any(kept_side(job.cull, Number(static_cast<float>(parts.side))));
+  if (culled && job.skip.back_faces) {
+    ++statistics.triangles_culled;
+    return;
+  }
+  if (!culled && parts.any_turned_over()) {
     for_each_run(parts, job.frame, key,
                  [&](const LargeTriangle& triangle, const PixelBounds& pixels) {
                    binning.add_large(triangle, pixels);
                  });
     return;
   }
-  for (const ClippedPart& part : parts.all()) bin_part(job, part, key, binning);
+  for (const ClippedPart& part : parts.all()) bin_part(job, part, culled, key, binning);
 }
 
 /// Those so thin that snapping may have turned them over. A coordinate is off by less than 2½ of
@@ -219,13 +238,14 @@ void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& 
       statistics.triangles_clipped += static_cast<unsigned>(std::popcount(clipped));
       for (; clipped != 0; clipped &= clipped - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(clipped));
-        bin_clipped(job, clusters, cluster, from + lane, binning);
+        bin_clipped(job, clusters, cluster, from + lane, binning, statistics);
       }
     }
     const Number area = twice_area(t, vertices.short_sides);
     const Truth flat = alive && area == Number(0);
-    const Truth shown = (alive && kept_side(job.cull, area)) ||
-                        (flat && first_lanes(job.skip.zero_area ? 0 : lanes));
+    const Truth culled = alive && !flat && !kept_side(job.cull, area);
+    const Truth shown = alive && !(flat && truth_if(job.skip.zero_area)) &&
+                        !(culled && truth_if(job.skip.back_faces));
     const SampleBounds bounds = sample_bounds(t, job.skip.missed_samples ? 0 : 128);
     const Truth hits = shown && bounds.left <= bounds.right && bounds.top <= bounds.bottom;
     Truth seen = hits && in_picture(job, bounds);
@@ -235,10 +255,9 @@ void bin_triangles(const DrawJob& job, const Clusters& clusters, const Cluster& 
         seen = seen && !truth_of(turned_over(job, clusters, cluster, from, thin, area));
       }
     }
-    make_area_positive(t, area);
+    orient(t, area, culled);
     start_before_far_plane(t);
-    statistics.triangles_culled +=
-        static_cast<unsigned>(std::popcount(bits(alive && !shown && !flat)));
+    statistics.triangles_culled += static_cast<unsigned>(std::popcount(bits(culled && !shown)));
     statistics.triangles_without_area += static_cast<unsigned>(std::popcount(bits(flat && !shown)));
     statistics.triangles_missed += static_cast<unsigned>(std::popcount(bits(shown && !seen)));
     binning.add(t, area, seen, bounds, clusters.triangle.data() + from);
@@ -270,7 +289,7 @@ void find_visible(const DrawJob& job, std::uint32_t begin, std::uint32_t end,
     }
     for (std::uint32_t out = bits(inside) & ~kept; out != 0; out &= out - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(out));
-      statistics.vertices_skipped += clusters.list[first + lane].vertex_count;
+      skip_vertices(job, clusters.list[first + lane], statistics);
     }
     statistics.clusters += static_cast<unsigned>(std::popcount(bits(inside)));
     for (; kept != 0; kept &= kept - 1) {
@@ -291,7 +310,7 @@ void bin_clusters(const DrawJob& job, std::span<const VisibleCluster> visible, W
       const Cluster& cluster = clusters.list[some[i].index];
       if ((hidden >> i & 1U) != 0) {
         ++worker.statistics.clusters_hidden;
-        worker.statistics.vertices_skipped += cluster.vertex_count;
+        skip_vertices(job, cluster, worker.statistics);
         continue;
       }
       transform_vertices(job.transform, clusters, cluster, vertices);

@@ -165,7 +165,7 @@ class Drawing {
     return worth;
   }
 
-  bool was_drawn(int tile) const { return job_.frame.drawn()[tile] != 0; }
+  bool was_drawn(int tile) const { return job_.frame.drawn()[tile] != FrameAccess::not_drawn; }
 
   /// Whether a tile that is drawn now, at last, can do without the framebuffer's memory.
   bool is_passing(int tile) const {

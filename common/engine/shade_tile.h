@@ -37,6 +37,7 @@ class TileShading {
       : shader_(*static_cast<const Shader*>(job.shader)),
         triangles_(job, tile, corner_varyings, worker),
         block_count_(tile.block_count()),
+        leaves_out_unread_(job.skip.unread_attributes),
         statistics_(worker.statistics) {}
 
   void run() {
@@ -119,7 +120,8 @@ class TileShading {
     });
     return bits << 1U != 0;  // but for signs
   }
-  static constexpr CornerVaryings corner_varyings = {varying_count, &write_corners, &write_record};
+  static constexpr CornerVaryings corner_varyings = {varying_count, reads_derivatives<Shader>(),
+                                                     &write_corners, &write_record};
 
   /// Calls `visit(i)` for the varyings' Numbers. Not a loop: only what is written out is dropped by
   /// the compiler where the shader doesn't read it.
@@ -198,6 +200,7 @@ class TileShading {
   }
 
   void shade_varying(int block, Parts varying, BlockColors& colors) const {
+    count_unread(static_cast<std::size_t>(std::popcount(seen_by(varying))));
     if (varying.size() <= most_by_themselves) {
       shade_few(block, varying, colors);
     } else {
@@ -297,43 +300,51 @@ class TileShading {
     const std::int32_t* own = nullptr;
   };
 
-  /// Without weights, of `own` that are the same all over: seen from the front by the first vector,
-  /// from behind by the second. The whole pair gets a colour, what isn't wanted any.
+  /// The whole pair gets a colour, what isn't wanted any.
   RASTERLAB_FLATTEN void shade_pair(const SeenByPair& seen, const WeightsInBlock* weights,
                                     int first, std::uint32_t wanted, BlockColors& colors) const {
-    Point<NumberPair> point;
-    if (const OneOrTwo* few = seen.few; few != nullptr) {
-      const PixelWeights low_weights = weights->at(first);
-      const PixelWeights high_weights = weights->at(first + lanes);
-      if (few->second == nullptr) {
-        point =
-            join(surface_point(low_weights, *few->first), surface_point(high_weights, *few->first));
-      } else {
-        const auto one_of_two = [few](std::uint32_t is_second) {
-          return OneOfTwoRecords(*few->first, *few->second, truth_of(is_second));
-        };
-        point = join(surface_point(low_weights, one_of_two(few->is_second)),
-                     surface_point(high_weights, one_of_two(few->is_second >> lanes)));
-      }
-    } else if (seen.many != nullptr) {
-      const EachRecord low = (*seen.many)[0].records(first);
-      const EachRecord high = (*seen.many)[1].records(first + lanes);
-      point = join(surface_point(weights->at(first), low),
-                   surface_point(weights->at(first + lanes), high));
-    } else {
-      const Own low(triangles_, seen.own);
-      const Own high(triangles_, seen.own + lanes);
-      if (weights != nullptr) {
-        point = join(surface_point(weights->at(first), low),
-                     surface_point(weights->at(first + lanes), high));
-      } else {
-        point = join(constant_point(low, truth_of(all_lanes)), constant_point(high, truth_of(0)));
-      }
-    }
+    const Point<NumberPair> point =
+        point_of_pair<reads_derivatives<Shader>()>(seen, weights, first);
     const Fragment<NumberPair> fragment = shade(point, wanted);
     write_bytes(fragment.color, colors.packed.data() + first);
     if constexpr (may_discard<Shader>) wanted &= ~bits_of(fragment.discarded);
     colors.kept |= BlockMask{wanted} << first;
+    if (!leaves_out_unread_) work_out_all(seen, weights, first);
+  }
+
+  /// What the shader doesn't read as well.
+  [[gnu::noinline]] void work_out_all(const SeenByPair& seen, const WeightsInBlock* weights,
+                                      int first) const {
+    keep(point_of_pair<true>(seen, weights, first));
+  }
+  void count_unread(std::size_t pixels) const {
+    if (reads_derivatives<Shader>() || !leaves_out_unread_) return;
+    statistics_.derivatives_unread += pixels * 2 * std::size_t{varying_count};
+  }
+
+  /// Without weights, of `own` that are the same all over: seen from the front by the first vector,
+  /// from behind by the second.
+  template <bool derivatives>
+  Point<NumberPair> point_of_pair(const SeenByPair& seen, const WeightsInBlock* weights,
+                                  int first) const {
+    const auto join_at = [&](const auto& low, const auto& high) {
+      return join(surface_point<derivatives>(weights->at(first), low),
+                  surface_point<derivatives>(weights->at(first + lanes), high));
+    };
+    if (const OneOrTwo* few = seen.few; few != nullptr) {
+      if (few->second == nullptr) return join_at(*few->first, *few->first);
+      const auto one_of_two = [few](std::uint32_t is_second) {
+        return OneOfTwoRecords(*few->first, *few->second, truth_of(is_second));
+      };
+      return join_at(one_of_two(few->is_second), one_of_two(few->is_second >> lanes));
+    }
+    if (seen.many != nullptr) {
+      return join_at((*seen.many)[0].records(first), (*seen.many)[1].records(first + lanes));
+    }
+    const Own low(triangles_, seen.own);
+    const Own high(triangles_, seen.own + lanes);
+    if (weights != nullptr) return join_at(low, high);
+    return join(constant_point(low, truth_of(all_lanes)), constant_point(high, truth_of(0)));
   }
 
   static constexpr std::uint32_t all_pair_lanes = 0xFFFFFFFFU >> (32 - 2 * lanes);
@@ -370,6 +381,7 @@ class TileShading {
   }
 
   void shade_some_scattered(std::size_t first, std::size_t count, ScatteredPixels& pixels) const {
+    count_unread(count);
     WeightsInBlock weights;
     triangles_.weigh_scattered(first, weights);
     BlockColors colors;
@@ -429,18 +441,26 @@ class TileShading {
   static Point<Number> constant_point(const Own& records, Truth front_facing) {
     Point<Number> point;
     interpolate({Number(0), Number(0), Number(0)}, records, point.value);
-    // Eigen's vectors are not zero of themselves.
-    for_each_number([&](int i) { number_of(point.dx, i) = number_of(point.dy, i) = Number(0); });
+    set_no_derivatives(point);
     point.front_facing = front_facing;
     return point;
   }
 
-  template <class Record>
+  /// Eigen's vectors are not zero of themselves.
+  static void set_no_derivatives(Point<Number>& point) {
+    for_each_number([&](int i) { number_of(point.dx, i) = number_of(point.dy, i) = Number(0); });
+  }
+
+  template <bool derivatives, class Record>
   static Point<Number> surface_point(const PixelWeights& weights, const Record& r) {
     Point<Number> point;
     interpolate(weights, r, point.value);
-    differentiate(derivative(r, word::step1_x, word::step2_x), weights, r, point.dx);
-    differentiate(derivative(r, word::step1_y, word::step2_y), weights, r, point.dy);
+    if constexpr (derivatives) {
+      differentiate(derivative(r, word::step1_x, word::step2_x), weights, r, point.dx);
+      differentiate(derivative(r, word::step1_y, word::step2_y), weights, r, point.dy);
+    } else {
+      set_no_derivatives(point);
+    }
     point.front_facing = r.front_facing();
     return point;
   }
@@ -544,6 +564,7 @@ class TileShading {
   const Shader& shader_;
   VisibleTriangles triangles_;
   int block_count_;
+  bool leaves_out_unread_;
   bool any_constant_ = false;
   Statistics& statistics_;
 };

@@ -80,6 +80,11 @@ inline Truth first_lanes(int count) {
   return {hn::FirstN(FloatTag(), static_cast<std::size_t>(count))};
 }
 
+/// The same in all lanes.
+inline Truth truth_if(bool condition) {
+  return first_lanes(condition ? lanes : 0);
+}
+
 // ---------------------------------------------------------------------------------------------
 // Integers of 32 bit, wrapping
 
@@ -429,6 +434,12 @@ inline Vector3<Number> unpack_texel(Ints texel) {
           as_numbers(moved_byte<2, 0>(texel))};
 }
 
+/// Has what nobody reads computed all the same.
+template <class Value>
+void keep(const Value& value) {
+  asm volatile("" : : "m"(value));  // NOLINT(hicpp-no-assembler)
+}
+
 /// Per lane a number for addresses, read from memory: left to itself, the compiler takes the lanes
 /// out of the register one by one, by three operations each that vectors wait for.
 struct Addresses {
@@ -687,8 +698,25 @@ inline Ints byte_of_color(Number value) {
 }
 /// Per lane as pack_texel() does.
 inline Ints pack_color(Number red, Number green, Number blue) {
+#if HWY_TARGET == HWY_AVX3
+  // Below 0, and not numbers, become negative: packing bounds them. Numbers come second in
+  // minimum(), which lets pass what isn't one.
+  const auto whole = [](Number value) {
+    return to_whole(minimum(Number(255.5F), value * Number(255) + Number(0.5F))).v.raw;
+  };
+  const __m512i words01 = _mm512_packs_epi32(whole(red), whole(green));
+  const __m512i words2 = _mm512_packs_epi32(whole(blue), _mm512_setzero_si512());
+  alignas(16) static constexpr std::array<std::uint8_t, 16> interleaved = {
+      0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
+  const hn::Repartition<std::uint8_t, IntTag> bytes;
+  const auto order = hn::LoadDup128(bytes, interleaved.data());
+  return Ints(hn::BitCast(
+      IntTag(), hn::TableLookupBytes(
+                    hn::VFromD<decltype(bytes)>{_mm512_packus_epi16(words01, words2)}, order)));
+#else
   return byte_of_color(red) | moved_byte<0, 1>(byte_of_color(green)) |
          moved_byte<0, 2>(byte_of_color(blue));
+#endif
 }
 
 // ---------------------------------------------------------------------------------------------

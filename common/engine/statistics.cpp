@@ -12,7 +12,7 @@ struct Field {
   std::uint64_t Statistics::*value;
 };
 
-constexpr std::array<Field, 21> fields = {{
+constexpr std::array<Field, 22> fields = {{
     {"clusters", &Statistics::clusters},
     {"clusters_outside", &Statistics::clusters_outside},
     {"clusters_facing_away", &Statistics::clusters_facing_away},
@@ -33,6 +33,7 @@ constexpr std::array<Field, 21> fields = {{
     {"blocks_undisputed", &Statistics::blocks_undisputed},
     {"pixels_shaded", &Statistics::pixels_shaded},
     {"pixels_asked", &Statistics::pixels_asked},
+    {"derivatives_unread", &Statistics::derivatives_unread},
     {"triangles_shaded", &Statistics::triangles_shaded},
 }};
 

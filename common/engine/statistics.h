@@ -30,7 +30,9 @@ struct Statistics {
   std::uint64_t blocks_undisputed = 0;  ///< 8×8 pixels that never had a depth for each
   /// As many as are visible; without the skip of hidden fragments, all that were when drawn.
   std::uint64_t pixels_shaded = 0;
-  std::uint64_t pixels_asked = 0;      ///< given to a shader to be discarded or drawn
+  std::uint64_t pixels_asked = 0;  ///< given to a shader to be discarded or drawn
+  /// Numbers of varyings' derivatives, of those pixels, that the shader says it doesn't read.
+  std::uint64_t derivatives_unread = 0;
   std::uint64_t triangles_shaded = 0;  ///< for which vertex() was called, once per tile
   double milliseconds = 0;
 

@@ -39,7 +39,8 @@ enum : int {
 
 /// How to have a shader's varyings as plain floats.
 struct CornerVaryings {
-  int count;  ///< Numbers
+  int count;         ///< Numbers
+  bool derivatives;  ///< whether the shader reads them: else nobody needs WeightsInBlock::inverse
   /// Those of corners first, first + 1 and first + 2 (modulo 3), one corner after the other.
   void (*write)(const void* shader, const Mesh& mesh, std::uint32_t triangle, int first,
                 float* corners);
@@ -86,11 +87,12 @@ struct WeightsInBlock {
     const auto i = static_cast<std::size_t>(first);
     return {load(&b1[i]), load(&b2[i]), load(&inverse[i])};
   }
+  template <bool for_derivatives = true>
   void set(int first, const PixelWeights& weights) {
     const auto i = static_cast<std::size_t>(first);
     store(weights.b1, &b1[i]);
     store(weights.b2, &b2[i]);
-    store(weights.inverse, &inverse[i]);
+    if constexpr (for_derivatives) store(weights.inverse, &inverse[i]);
   }
 };
 
@@ -170,7 +172,11 @@ class VisibleTriangles {
 
   template <class Whole>
   EdgeWalk<Whole> walk(std::int32_t slot, int block) const;
+  template <bool for_derivatives>
+  void weigh_small(std::span<const VisiblePart> parts, int block, WeightsInBlock& weights) const;
+  template <bool for_derivatives>
   void weigh_one(const VisiblePart& part, int block, WeightsInBlock& weights) const;
+  template <bool for_derivatives>
   void weigh_two(const VisiblePart& part, const VisiblePart& other, int block,
                  WeightsInBlock& weights) const;
   void weigh_large(const VisiblePart& part, int block, WeightsInBlock& weights) const;

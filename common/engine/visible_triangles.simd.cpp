@@ -563,32 +563,46 @@ void VisibleTriangles::weigh_few(std::span<const VisiblePart> parts, int block,
   const bool is_large = triangle(part.slot).is_large;
   const bool other_is_large = triangle(other.slot).is_large;
   if (!is_large && !other_is_large) {
-    parts.size() == 1 ? weigh_one(part, block, weights) : weigh_two(part, other, block, weights);
+    varyings_.derivatives || !job_.skip.unread_attributes
+        ? weigh_small<true>(parts, block, weights)
+        : weigh_small<false>(parts, block, weights);
     return;
   }
-  if (!is_large) weigh_one(part, block, weights);
-  if (!other_is_large) weigh_one(other, block, weights);
+  if (!is_large) weigh_one<true>(part, block, weights);
+  if (!other_is_large) weigh_one<true>(other, block, weights);
   if (is_large) weigh_large(part, block, weights);
   if (other_is_large && parts.size() > 1) weigh_large(other, block, weights);
 }
 
+template <bool for_derivatives>
+void VisibleTriangles::weigh_small(std::span<const VisiblePart> parts, int block,
+                                   WeightsInBlock& weights) const {
+  if (parts.size() == 1) {
+    weigh_one<for_derivatives>(parts.front(), block, weights);
+  } else {
+    weigh_two<for_derivatives>(parts.front(), parts.back(), block, weights);
+  }
+}
+
+template <bool for_derivatives>
 void VisibleTriangles::weigh_one(const VisiblePart& part, int block,
                                  WeightsInBlock& weights) const {
   auto edges = walk<Ints>(part.slot, block);
   for (int first = 0; first < 64; first += lanes) {
-    weights.set(first, edges.weights());
+    weights.set<for_derivatives>(first, edges.weights());
     edges.move_on(first);
   }
 }
 
 /// Whichever a pixel sees: with one division for both.
+template <bool for_derivatives>
 void VisibleTriangles::weigh_two(const VisiblePart& part, const VisiblePart& other, int block,
                                  WeightsInBlock& weights) const {
   auto edges = walk<Ints>(part.slot, block);
   auto other_edges = walk<Ints>(other.slot, block);
   for (int first = 0; first < 64; first += lanes) {
     const Truth is_other = truth_of(lanes_at(other.mask, first));
-    weights.set(first, edges.weights_beside(is_other, other_edges));
+    weights.set<for_derivatives>(first, edges.weights_beside(is_other, other_edges));
     edges.move_on(first);
     other_edges.move_on(first);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/image/check.h"
+#include "common/image/huge_pages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,7 @@ template <class Pixel>
 class Image {
  public:
   using value_type = Pixel;
+  using Pixels = std::vector<Pixel, HugePageAllocator<Pixel>>;
 
   Image() = default;
 
@@ -56,8 +58,8 @@ class Image {
   const Pixel* row(int y) const { return pixels_.data() + static_cast<std::ptrdiff_t>(y) * width_; }
 
   /// All pixels, row after row.
-  std::vector<Pixel>& pixels() { return pixels_; }
-  const std::vector<Pixel>& pixels() const { return pixels_; }
+  Pixels& pixels() { return pixels_; }
+  const Pixels& pixels() const { return pixels_; }
 
   void clear(const Pixel& value) { pixels_.assign(pixels_.size(), value); }
 
@@ -70,7 +72,7 @@ class Image {
 
   int width_ = 0;
   int height_ = 0;
-  std::vector<Pixel> pixels_;
+  Pixels pixels_;
 };
 
 }  // namespace rasterlab

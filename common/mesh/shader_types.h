@@ -28,6 +28,9 @@
 // shader's to say but the draw call's, whose one matrix takes positions to clip space: what cannot
 // be seen is skipped without asking the shader.
 //
+// A shader whose fragment() reads no derivatives may say so, by
+// `static constexpr bool reads_derivatives = false;`: then nobody need work them out.
+//
 // fragment() returns the colour, or, if it may refuse to draw, a Fragment: the type tells the
 // caller which, and a caller may shade only the nearest surface of a shader that never refuses. A
 // shader that isn't written for every Number takes `SurfacePoint<Varyings, float>` and is called a
@@ -96,6 +99,16 @@ inline constexpr bool may_discard =
     std::same_as<decltype(std::declval<const Shader&>().fragment(
                      std::declval<const SurfacePoint<Shader::template Varyings, float>&>())),
                  Fragment<float>>;
+
+/// Whether a shader's fragment() may read dx and dy. What it says it doesn't read means nothing.
+template <ShaderType Shader>
+constexpr bool reads_derivatives() {
+  if constexpr (requires { Shader::reads_derivatives; }) {
+    return Shader::reads_derivatives;
+  } else {
+    return true;
+  }
+}
 
 /// How many Numbers a Varyings holds.
 template <template <class> class Varyings>

@@ -120,12 +120,13 @@ struct Drawn {
 };
 
 template <class Shader = BusyShader>
-Drawn draw(const PreparedMesh& mesh, const EngineOptions& options, Cull cull = Cull::none) {
+Drawn draw(const PreparedMesh& mesh, const EngineOptions& options, Cull cull = Cull::none,
+           const Eigen::Matrix4f& matrix = Eigen::Matrix4f::Identity()) {
   Framebuffer frame(width, height, tile_size);
   frame.clear({10, 20, 30});
   const Shader shader;
-  const Statistics statistics =
-      Renderer(options).draw({.mesh = &mesh, .cull = cull, .shading = shading(shader)}, frame);
+  const Statistics statistics = Renderer(options).draw(
+      {.mesh = &mesh, .matrix = matrix, .cull = cull, .shading = shading(shader)}, frame);
   return {frame.color(), frame.ids(), frame.depth(), statistics};
 }
 
@@ -160,7 +161,64 @@ TEST_F(engine_skips, change_no_pixel) {
     }
   };
   check(Cull::none, supported_simd_targets());
-  check(Cull::back, {best_simd_target()});
+  check(Cull::back, supported_simd_targets());
+  check(Cull::front, {best_simd_target()});
+}
+
+/// In perspective, from a place among the triangles: many are cut by the near plane.
+Eigen::Matrix4f from_the_midst() {
+  Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+  matrix.row(2) << 0, 0, -1, -0.02F;
+  matrix.row(3) << 0, 0, -1, 0;
+  return matrix;
+}
+
+TEST_F(engine_skips, change_no_pixel_of_what_is_clipped) {
+  for (const Cull cull : {Cull::none, Cull::back, Cull::front}) {
+    const Drawn expected = draw(mesh_, {}, cull, from_the_midst());
+    ASSERT_GT(expected.statistics.triangles_clipped, 20U);
+    for (const NamedSkip& one : named_skips) {
+      SCOPED_TRACE(one.name);
+      EXPECT_TRUE(draw(mesh_, without(one.skip), cull, from_the_midst()).shows_the_same(expected));
+    }
+  }
+}
+
+TEST_F(engine_skips, skipped_vertices_are_counted) {
+  const Eigen::Matrix4f beside = Eigen::Affine3f(Eigen::Translation3f(9, 0, 0)).matrix();
+  for (const Cull cull : {Cull::none, Cull::back}) {
+    EngineOptions options;
+    options.skip.hidden_clusters = false;  // how many are depends on the threads
+    const Statistics with = draw(mesh_, options, cull, beside).statistics;
+    EXPECT_EQ(with.vertices, 0U);
+    EXPECT_GE(with.vertices_skipped, plain_.positions.size());
+    options.skip.skipped_vertices = false;
+    const Statistics off = draw(mesh_, options, cull, beside).statistics;
+    EXPECT_EQ(off.vertices_skipped, 0U);
+    EXPECT_EQ(off.vertices, with.vertices_skipped);
+  }
+}
+
+TEST_F(engine_skips, back_faces_are_counted) {
+  for (const auto& matrix : {Eigen::Matrix4f::Identity().eval(), from_the_midst()}) {
+    const Statistics with = draw(mesh_, {}, Cull::back, matrix).statistics;
+    const Statistics off = draw(mesh_, without(&Skips::back_faces), Cull::back, matrix).statistics;
+    EXPECT_GT(with.triangles_culled, 50U);
+    EXPECT_EQ(off.triangles_culled, 0U);
+    EXPECT_GT(off.triangles_binned, with.triangles_binned);
+  }
+}
+
+TEST_F(engine_skips, attributes_a_shader_does_not_read_are_counted) {
+  constexpr int numbers = 6;
+  const Drawn with = draw<QuietShader>(mesh_, {});
+  EXPECT_EQ(with.statistics.derivatives_unread, 2 * numbers * with.statistics.pixels_shaded);
+  const Drawn undeclared = draw<UndeclaredShader>(mesh_, {});
+  EXPECT_EQ(undeclared.statistics.derivatives_unread, 0U);
+  EXPECT_TRUE(undeclared.shows_the_same(with));
+  const Drawn off = draw<QuietShader>(mesh_, without(&Skips::unread_attributes));
+  EXPECT_EQ(off.statistics.derivatives_unread, 0U);
+  EXPECT_TRUE(off.shows_the_same(with));
 }
 
 TEST_F(engine_skips, zero_area_is_counted) {

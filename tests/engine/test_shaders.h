@@ -44,6 +44,21 @@ struct HolesShader : BusyShader {
   }
 };
 
+/// Reads no derivatives, and says so.
+struct QuietShader : BusyShader {
+  static constexpr bool reads_derivatives = false;
+
+  template <class Number>
+  Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    return normalized(point.value.normal);
+  }
+};
+
+/// The same, but doesn't say so.
+struct UndeclaredShader : QuietShader {
+  static constexpr bool reads_derivatives = true;
+};
+
 /// Knows floats only.
 struct PlainShader : BusyShader {
   Vector3<float> fragment(const SurfacePoint<Varyings, float>& point) const {

@@ -6,6 +6,8 @@
 
 RASTERLAB_SHADER(rasterlab::BusyShader)
 RASTERLAB_SHADER(rasterlab::HolesShader)
+RASTERLAB_SHADER(rasterlab::QuietShader)
+RASTERLAB_SHADER(rasterlab::UndeclaredShader)
 RASTERLAB_SHADER(rasterlab::PlainShader)
 RASTERLAB_SHADER(rasterlab::StripesShader)
 RASTERLAB_SHADER(rasterlab::PatchworkShader)
