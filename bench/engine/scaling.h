@@ -1,6 +1,7 @@
 // How time and memory follow what is visible, threads and size: our side only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct ScalingResult {
   double spread;  ///< … and how far apart its quartiles are, as a part of it
   double limit;
   bool at_least;  ///< whether the limit is a lower one
+  /// Of two threads: what they were meanwhile against one where neither needs the other nor memory.
+  std::optional<double> machine = {};
 
   bool reached() const { return at_least ? value >= limit : value <= limit; }
 };
