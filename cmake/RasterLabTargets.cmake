@@ -45,6 +45,14 @@ function(rasterlab_add_stage stage)
   endif()
 endfunction()
 
+# rasterlab_test_runs(<tests> <programs>...): building these tests builds the programs they run. Not under sanitizers, where
+# the tests that run no program are built alone (.ci/run).
+function(rasterlab_test_runs tests)
+  if(NOT RASTERLAB_SANITIZERS)
+    add_dependencies(${tests} ${ARGN})
+  endif()
+endfunction()
+
 # A test is compiled for longer than it runs; what it calls in common is optimized in full.
 set(RASTERLAB_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>" "$<$<CONFIG:RelWithDebInfo>:-O0>")
 
