@@ -303,8 +303,8 @@ class TileShading {
   /// The whole pair gets a colour, what isn't wanted any.
   RASTERLAB_FLATTEN void shade_pair(const SeenByPair& seen, const WeightsInBlock* weights,
                                     int first, std::uint32_t wanted, BlockColors& colors) const {
-    const Point<NumberPair> point =
-        point_of_pair<reads_derivatives<Shader>()>(seen, weights, first);
+    Point<NumberPair> point;
+    find_point<reads_derivatives<Shader>()>(seen, weights, first, point);
     const Fragment<NumberPair> fragment = shade(point, wanted);
     write_bytes(fragment.color, colors.packed.data() + first);
     if constexpr (may_discard<Shader>) wanted &= ~bits_of(fragment.discarded);
@@ -315,7 +315,9 @@ class TileShading {
   /// What the shader doesn't read as well.
   [[gnu::noinline]] void work_out_all(const SeenByPair& seen, const WeightsInBlock* weights,
                                       int first) const {
-    keep(point_of_pair<true>(seen, weights, first));
+    Point<NumberPair> point;
+    find_point<true>(seen, weights, first, point);
+    keep(point);
   }
   void count_unread(std::size_t pixels) const {
     if (reads_derivatives<Shader>() || !leaves_out_unread_) return;
@@ -323,28 +325,38 @@ class TileShading {
   }
 
   /// Without weights, of `own` that are the same all over: seen from the front by the first vector,
-  /// from behind by the second.
+  /// from behind by the second. Written to `point`, where it stays: returned, it would be copied.
   template <bool derivatives>
-  Point<NumberPair> point_of_pair(const SeenByPair& seen, const WeightsInBlock* weights,
-                                  int first) const {
-    const auto join_at = [&](const auto& low, const auto& high) {
-      return join(surface_point<derivatives>(weights->at(first), low),
-                  surface_point<derivatives>(weights->at(first + lanes), high));
-    };
+  void find_point(const SeenByPair& seen, const WeightsInBlock* weights, int first,
+                  Point<NumberPair>& point) const {
     if (const OneOrTwo* few = seen.few; few != nullptr) {
-      if (few->second == nullptr) return join_at(*few->first, *few->first);
-      const auto one_of_two = [few](std::uint32_t is_second) {
-        return OneOfTwoRecords(*few->first, *few->second, truth_of(is_second));
-      };
-      return join_at(one_of_two(few->is_second), one_of_two(few->is_second >> lanes));
+      const PixelWeights low = weights->at(first);
+      const PixelWeights high = weights->at(first + lanes);
+      if (few->second == nullptr) {
+        point = join(surface_point<derivatives>(low, *few->first),
+                     surface_point<derivatives>(high, *few->first));
+      } else {
+        const auto one_of_two = [few](std::uint32_t is_second) {
+          return OneOfTwoRecords(*few->first, *few->second, truth_of(is_second));
+        };
+        point = join(surface_point<derivatives>(low, one_of_two(few->is_second)),
+                     surface_point<derivatives>(high, one_of_two(few->is_second >> lanes)));
+      }
+    } else if (seen.many != nullptr) {
+      const EachRecord low = (*seen.many)[0].records(first);
+      const EachRecord high = (*seen.many)[1].records(first + lanes);
+      point = join(surface_point<derivatives>(weights->at(first), low),
+                   surface_point<derivatives>(weights->at(first + lanes), high));
+    } else {
+      const Own low(triangles_, seen.own);
+      const Own high(triangles_, seen.own + lanes);
+      if (weights != nullptr) {
+        point = join(surface_point<derivatives>(weights->at(first), low),
+                     surface_point<derivatives>(weights->at(first + lanes), high));
+      } else {
+        point = join(constant_point(low, truth_of(all_lanes)), constant_point(high, truth_of(0)));
+      }
     }
-    if (seen.many != nullptr) {
-      return join_at((*seen.many)[0].records(first), (*seen.many)[1].records(first + lanes));
-    }
-    const Own low(triangles_, seen.own);
-    const Own high(triangles_, seen.own + lanes);
-    if (weights != nullptr) return join_at(low, high);
-    return join(constant_point(low, truth_of(all_lanes)), constant_point(high, truth_of(0)));
   }
 
   static constexpr std::uint32_t all_pair_lanes = 0xFFFFFFFFU >> (32 - 2 * lanes);
