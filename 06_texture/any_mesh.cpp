@@ -13,13 +13,17 @@
 namespace rasterlab {
 namespace {
 
+constexpr const char* unread_levels = "unread levels";
+
 /// What stays the same from frame to frame.
 class Prepared {
  public:
   explicit Prepared(const Subject& subject) : subject_(subject), mesh_(with_normals(subject.mesh)) {
     if (subject.texture.empty()) return;
     require_texture_coordinates(mesh_);
-    texture_.emplace(subject.texture, levels_for(filter_named(subject.filter)));
+    texture_.emplace(subject.texture, subject.skips(unread_levels)
+                                          ? levels_for(filter_named(subject.filter))
+                                          : MipLevels::all);
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -39,6 +43,12 @@ class Prepared {
     return Sampler{&*texture_, filter_named(subject_.filter), wrap_named(subject_.wrap)};
   }
 
+  /// The counts of a frame, with what was not made for it.
+  nlohmann::json with_skipped(nlohmann::json counts) const {
+    counts["levels_skipped"] = texture_ ? texture_->levels_left_out() : 0;
+    return counts;
+  }
+
  private:
   const Subject& subject_;
   Mesh mesh_;
@@ -53,8 +63,8 @@ DrawFrame draw_any_mesh(const Subject& subject) {
     clear(frame);
     const LitMesh lit_mesh = prepared->lit_mesh(view);
     const std::optional<Sampler> sampler = prepared->sampler();
-    return statistics(sampler ? draw_textured_mesh(lit_mesh, *sampler, frame)
-                              : shade_phong(lit_mesh, frame));
+    return prepared->with_skipped(statistics(sampler ? draw_textured_mesh(lit_mesh, *sampler, frame)
+                                                     : shade_phong(lit_mesh, frame)));
   };
 }
 
@@ -65,9 +75,14 @@ DrawFrame draw_any_mesh_tiled(const Subject& subject) {
     const LitMesh lit_mesh = prepared->lit_mesh(view);
     const SurfaceLighting lighting(lit_mesh);
     const std::optional<Sampler> sampler = prepared->sampler();
-    return sampler ? drawing->draw(view, shading(LitTexture{lighting, *sampler}), frame)
-                   : drawing->draw(view, shading(LitColors{lighting}), frame);
+    return prepared->with_skipped(
+        sampler ? drawing->draw(view, shading(LitTexture{lighting, *sampler}), frame)
+                : drawing->draw(view, shading(LitColors{lighting}), frame));
   };
+}
+
+Choices texture_skips() {
+  return {{unread_levels}};
 }
 
 }  // namespace rasterlab

@@ -12,4 +12,8 @@ DrawFrame draw_any_mesh(const Subject& subject);
 /// The same by the engine: the same pixels, their colours within one code value.
 DrawFrame draw_any_mesh_tiled(const Subject& subject);
 
+/// What either leaves out unless the subject says otherwise: levels of a texture that the filter
+/// doesn't read.
+Choices texture_skips();
+
 }  // namespace rasterlab

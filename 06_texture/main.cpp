@@ -43,5 +43,6 @@ int main(int argc, char** argv) {
                               .turn_light = &turned_light,
                               .textured = true,
                               .filters = filter_choices(),
-                              .wraps = wrap_choices()})}});
+                              .wraps = wrap_choices(),
+                              .skips = texture_skips()})}});
 }

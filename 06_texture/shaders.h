@@ -12,6 +12,8 @@ namespace rasterlab {
 
 /// The colours of the vertices in the light of stage 05.
 struct LitColors {
+  static constexpr bool reads_derivatives = false;
+
   template <class Number>
   struct Varyings {
     Vector3<Number> position;  ///< in the world, as is the normal

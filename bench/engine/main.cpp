@@ -66,14 +66,6 @@ Time time_of(const std::function<void()>& work) {
   return {wall.count(), cpu};
 }
 
-Skips skips_without(const std::vector<std::string>& names) {
-  Skips skips;
-  for (const NamedSkip& one : named_skips) {
-    skips.*one.skip = std::find(names.begin(), names.end(), one.name) == names.end();
-  }
-  return skips;
-}
-
 std::set<std::string> names_of_skips() {
   std::set<std::string> names;
   for (const NamedSkip& one : named_skips) names.insert(one.name);

@@ -3,7 +3,10 @@
 
 #include "common/engine/simd_target.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 namespace rasterlab {
 
@@ -51,6 +54,15 @@ inline constexpr std::array<NamedSkip, 14> named_skips = {
 constexpr Skips no_skips() {
   Skips skips;
   for (const NamedSkip& one : named_skips) skips.*one.skip = false;
+  return skips;
+}
+
+/// All but those of these names. Names of none of them don't matter.
+inline Skips skips_without(const std::vector<std::string>& names) {
+  Skips skips;
+  for (const NamedSkip& one : named_skips) {
+    skips.*one.skip = std::find(names.begin(), names.end(), one.name) == names.end();
+  }
   return skips;
 }
 

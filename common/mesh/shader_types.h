@@ -29,7 +29,8 @@
 // be seen is skipped without asking the shader.
 //
 // A shader whose fragment() reads no derivatives may say so, by
-// `static constexpr bool reads_derivatives = false;`: then nobody need work them out.
+// `static constexpr bool reads_derivatives = false;`: then nobody need work them out. So may the
+// parts that a shader is put together from.
 //
 // fragment() returns the colour, or, if it may refuse to draw, a Fragment: the type tells the
 // caller which, and a caller may shade only the nearest surface of a shader that never refuses. A
@@ -100,11 +101,12 @@ inline constexpr bool may_discard =
                      std::declval<const SurfacePoint<Shader::template Varyings, float>&>())),
                  Fragment<float>>;
 
-/// Whether a shader's fragment() may read dx and dy. What it says it doesn't read means nothing.
-template <ShaderType Shader>
+/// Whether a shader, or a part of one, may read dx and dy of a SurfacePoint: unless it says that it
+/// doesn't. What a shader says it doesn't read means nothing.
+template <class Reader>
 constexpr bool reads_derivatives() {
-  if constexpr (requires { Shader::reads_derivatives; }) {
-    return Shader::reads_derivatives;
+  if constexpr (requires { Reader::reads_derivatives; }) {
+    return Reader::reads_derivatives;
   } else {
     return true;
   }

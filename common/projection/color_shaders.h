@@ -12,6 +12,8 @@ namespace rasterlab {
 
 /// A colour for each vertex of the mesh, mixed between them.
 struct VertexColorShader {
+  static constexpr bool reads_derivatives = false;
+
   template <class Number>
   struct Varyings {
     Vector3<Number> color;

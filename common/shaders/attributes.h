@@ -3,7 +3,8 @@
 //
 // An attribute is made from a shader's inputs. It has a `Varying<Number>`, the members it adds to a
 // shader's varyings, and `at(mesh, triangle, corner)`, their values at a corner: `mesh` is the one
-// it was made with, `triangle` the index of one of its triangles, `corner` is 0, 1 or 2.
+// it was made with, `triangle` the index of one of its triangles, `corner` is 0, 1 or 2. If it does
+// without the mesh's normals it says `static constexpr bool reads_vertex_normals = false;`.
 #pragma once
 
 #include "common/mesh/shader_types.h"
@@ -20,9 +21,22 @@ inline std::uint32_t vertex_of(const Mesh& mesh, std::uint32_t triangle, int cor
   return mesh.triangles[triangle][static_cast<std::size_t>(corner)];
 }
 
+/// Whether a shader, or an attribute, may read the normals of a mesh's vertices: unless it says
+/// that it doesn't.
+template <class Reader>
+constexpr bool reads_vertex_normals() {
+  if constexpr (requires { Reader::reads_vertex_normals; }) {
+    return Reader::reads_vertex_normals;
+  } else {
+    return true;
+  }
+}
+
 /// The mesh's texture coordinates, v up, as they are: they may leave [0, 1]. The constructor throws
 /// InputError where the mesh has none.
 struct TextureCoordinates {
+  static constexpr bool reads_vertex_normals = false;
+
   template <class Number>
   struct Varying {
     Vector2<Number> uv;
@@ -39,6 +53,8 @@ struct TextureCoordinates {
 
 /// The mesh's colours, in [0, 1]. The constructor throws InputError where the mesh has none.
 struct VertexColors {
+  static constexpr bool reads_vertex_normals = false;
+
   template <class Number>
   struct Varying {
     Vector3<Number> color;
@@ -53,6 +69,8 @@ struct VertexColors {
 
 /// Where the point is in the world: the model's matrix is affine.
 struct WorldPosition {
+  static constexpr bool reads_vertex_normals = false;
+
   template <class Number>
   struct Varying {
     Vector3<Number> position;
@@ -87,6 +105,8 @@ struct VertexNormals {
 /// The unit normal of the face in the world: the same at all three corners, so that no rounding
 /// shows between them. Zero for a face without area, and under a model pressed to a line.
 struct FaceNormals {
+  static constexpr bool reads_vertex_normals = false;
+
   template <class Number>
   struct Varying {
     Vector3<Number> face_normal;
@@ -105,6 +125,8 @@ struct FaceNormals {
 /// pressed flat along it. The constructor throws InputError where the mesh has no texture
 /// coordinates.
 struct Tangents {
+  static constexpr bool reads_vertex_normals = false;
+
   template <class Number>
   struct Varying {
     Vector3<Number> tangent;
@@ -122,6 +144,8 @@ struct Tangents {
 /// A set of attributes as one shader's varyings.
 template <class... Each>
 struct Attributes {
+  static constexpr bool reads_vertex_normals = (rasterlab::reads_vertex_normals<Each>() || ...);
+
   template <class Number>
   struct Varyings : Each::template Varying<Number>... {};
 

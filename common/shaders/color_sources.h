@@ -1,7 +1,8 @@
 // Where a surface's colour comes from: the first of Surface's three parts.
 //
 // A colour source is made from a shader's inputs, says which attributes it reads, and gives the
-// colour of a point: red, green, blue in [0, 1].
+// colour of a point: red, green, blue in [0, 1]. Like the other two parts it says so if it reads no
+// derivatives (shader_types.h).
 #pragma once
 
 #include "common/mesh/shader_types.h"
@@ -14,6 +15,7 @@ namespace rasterlab {
 /// One colour all over: the inputs', else default_color(), whatever colours the mesh has.
 struct ConstantColor {
   using Reads = Attributes<>;
+  static constexpr bool reads_derivatives = false;
 
   Color color;
 
@@ -29,6 +31,7 @@ struct ConstantColor {
 /// The colours of the mesh's corners, mixed. Needs a mesh with colours.
 struct VertexColor {
   using Reads = Attributes<VertexColors>;
+  static constexpr bool reads_derivatives = false;
 
   explicit VertexColor(const ShaderInputs& /*inputs*/) {}
 

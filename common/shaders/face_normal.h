@@ -13,6 +13,7 @@ namespace rasterlab {
 /// where the face has no area. Source: B.flat.
 struct FaceNormal {
   using Reads = Attributes<FaceNormals>;
+  static constexpr bool reads_derivatives = false;
 
   explicit FaceNormal(const ShaderInputs& /*inputs*/) {}
 

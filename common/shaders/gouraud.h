@@ -14,6 +14,7 @@ namespace rasterlab {
 template <class LightModel, class NormalSource>
 struct LightAtCorners {
   using Reads = typename LightModel::template Reads<NormalSource>;
+  static constexpr bool reads_vertex_normals = Reads::reads_vertex_normals;
   template <class Number>
   using Point = SurfacePoint<Reads::template Varyings, Number>;
 
@@ -47,6 +48,7 @@ template <class LightModel>
 struct Gouraud {
   template <class NormalSource>
   using Reads = Attributes<LightAtCorners<LightModel, NormalSource>>;
+  static constexpr bool reads_derivatives = false;
 
   explicit Gouraud(const ShaderInputs& /*inputs*/) {}
 

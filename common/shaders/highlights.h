@@ -16,6 +16,7 @@ namespace rasterlab {
 struct Phong {
   template <class NormalSource>
   using Reads = ReadsOfPointAndNormal<NormalSource>;
+  static constexpr bool reads_derivatives = false;
 
   Light light;
   Material material;

@@ -4,9 +4,9 @@
 
 namespace rasterlab {
 
-const Sampler& required(const std::optional<Sampler>& sampler, const char* flag) {
-  if (!sampler) throw InputError(std::string("this shader needs ") + flag);
-  return *sampler;
+Sampler required(const SamplerInput& input, const char* flag) {
+  if (!input.get_) throw InputError(std::string("this shader needs ") + flag);
+  return input.get_();
 }
 
 }  // namespace rasterlab

@@ -17,6 +17,7 @@ namespace rasterlab {
 /// B.shaders, whose fragment() may refuse.
 struct Lattice {
   using Reads = Attributes<TextureCoordinates, WorldPosition, VertexNormals>;
+  static constexpr bool reads_derivatives = false;
   template <class Number>
   struct Varyings : Reads::Varyings<Number> {};
 

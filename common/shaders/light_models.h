@@ -27,6 +27,7 @@ Vector3<Number> lit(const Vector3<Number>& color, const Shade<Number>& light) {
 struct Unlit {
   template <class NormalSource>
   using Reads = Attributes<>;
+  static constexpr bool reads_derivatives = false;
 
   explicit Unlit(const ShaderInputs& /*inputs*/) {}
 
@@ -47,6 +48,7 @@ using ReadsOfPointAndNormal = United<Attributes<WorldPosition>, typename NormalS
 struct Diffuse {
   template <class NormalSource>
   using Reads = ReadsOfPointAndNormal<NormalSource>;
+  static constexpr bool reads_derivatives = false;
 
   Light light;
 

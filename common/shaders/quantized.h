@@ -20,6 +20,7 @@ struct Quantized {
 
   template <class NormalSource>
   using Reads = typename LightModel::template Reads<NormalSource>;
+  static constexpr bool reads_derivatives = rasterlab::reads_derivatives<LightModel>();
 
   LightModel light;
 

@@ -4,12 +4,14 @@
 
 #include "common/image/check.h"
 #include "common/mesh/shader_types.h"
+#include "common/shaders/attributes.h"
 #include "common/shaders/color_sources.h"
 #include "common/shaders/inputs.h"
 
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -76,6 +78,22 @@ auto with_shader(const std::tuple<Lines...>& table, std::string_view name,
   const bool found = std::apply([&](const auto&... lines) { return (used(lines) || ...); }, table);
   if (!found) throw InputError("no shader is called '" + std::string(name) + "'");
   return result;
+}
+
+/// Whether the shader of that name may read the vertices' normals, whatever it is made from. False
+/// where there is none of that name.
+template <class... Lines>
+bool reads_vertex_normals(const std::tuple<Lines...>& table, std::string_view name) {
+  const auto any_reads = []<class... Shaders>(ShaderTypes<Shaders...>) {
+    return (reads_vertex_normals<Shaders>() || ...);
+  };
+  return std::apply(
+      [&](const auto&... lines) {
+        return (
+            (lines.name == name && any_reads(typename std::decay_t<decltype(lines)>::Types())) ||
+            ...);
+      },
+      table);
 }
 
 /// The names and descriptions, in the table's order.

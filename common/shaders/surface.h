@@ -21,7 +21,8 @@ Vector3<typename Point::Number> surface_color(const Point& point, const ColorSou
 /// The shader of a surface whose colour comes from `ColorSource` (color_sources.h), whose normal
 /// from `NormalSource` (face_normal.h, vertex_normal.h, normal_maps.h), and which answers light as
 /// `LightModel` says (light_models.h, gouraud.h, quantized.h, highlights.h). Its varyings are the
-/// attributes its parts read, each once: what no part reads is not interpolated.
+/// attributes its parts read, each once: what no part reads is not interpolated, and derivatives
+/// are there only if one of the parts may read them.
 ///
 /// The parts are template parameters, so their calls are resolved when it is compiled: a pixel
 /// costs no virtual call. Source: B.refactor.
@@ -29,6 +30,10 @@ template <class ColorSource, class NormalSource, class LightModel>
 struct Surface {
   using Reads =
       United<typename ColorSource::Reads, typename LightModel::template Reads<NormalSource>>;
+  static constexpr bool reads_vertex_normals = Reads::reads_vertex_normals;
+  static constexpr bool reads_derivatives = rasterlab::reads_derivatives<ColorSource>() ||
+                                            rasterlab::reads_derivatives<NormalSource>() ||
+                                            rasterlab::reads_derivatives<LightModel>();
   template <class Number>
   struct Varyings : Reads::template Varyings<Number> {};
 

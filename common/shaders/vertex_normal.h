@@ -16,6 +16,7 @@ namespace rasterlab {
 /// Source: A.Q34; Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975.
 struct VertexNormal {
   using Reads = Attributes<VertexNormals>;
+  static constexpr bool reads_derivatives = false;
 
   explicit VertexNormal(const ShaderInputs& /*inputs*/) {}
 

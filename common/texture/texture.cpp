@@ -3,6 +3,7 @@
 #include "common/image/check.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -69,6 +70,11 @@ Texture::Texture(const Image<Rgb8>& image, MipLevels levels) {
     level = halved(level);
     append_level(level);
   }
+}
+
+int Texture::levels_left_out() const {
+  const auto longest_side = static_cast<unsigned>(std::max(width(), height()));
+  return std::min(static_cast<int>(std::bit_width(longest_side)), max_levels) - level_count_;
 }
 
 void Texture::append_level(const Image<Color>& codes) {

@@ -51,6 +51,8 @@ class Texture {
   int width() const { return static_cast<int>(widths_[0]); }
   int height() const { return static_cast<int>(heights_[0]); }
   int level_count() const { return level_count_; }
+  /// How many more there would be with MipLevels::all.
+  int levels_left_out() const;
 
   /// One level, or one per lane.
   template <class Number>

@@ -23,20 +23,28 @@ constexpr const char* group = "Drawing any mesh";
   throw UsageError(flag + " " + text + ": expected " + expected);
 }
 
+// What is between the commas of `text`.
+std::vector<std::string> split(std::string_view text) {
+  std::vector<std::string> fields;
+  while (true) {
+    const std::string_view field = text.substr(0, text.find(','));
+    fields.emplace_back(field);
+    if (field.size() == text.size()) return fields;
+    text.remove_prefix(field.size() + 1);
+  }
+}
+
 // The numbers between the commas of `text`; empty where one of them is none.
 std::vector<float> split_numbers(std::string_view text) {
   std::vector<float> numbers;
-  while (true) {
-    const std::string_view field = text.substr(0, text.find(','));
+  for (const std::string& field : split(text)) {
+    const char* end = field.data() + field.size();
     float number = 0;
-    const auto [rest, error] = std::from_chars(field.data(), field.data() + field.size(), number);
-    if (error != std::errc() || rest != field.data() + field.size() || !std::isfinite(number)) {
-      return {};
-    }
+    const auto [rest, error] = std::from_chars(field.data(), end, number);
+    if (error != std::errc() || rest != end || !std::isfinite(number)) return {};
     numbers.push_back(number);
-    if (field.size() == text.size()) return numbers;
-    text.remove_prefix(field.size() + 1);
   }
+  return numbers;
 }
 
 // Adds a flag whose value is from `least` to `most` numbers between commas.
@@ -154,6 +162,25 @@ void add_choice(CLI::App& app, const std::string& flag, const std::string& descr
       ->group(group);
 }
 
+// Adds a flag whose value is some of `choices` between commas, or `list`.
+void add_choices(CLI::App& app, const std::string& flag, const std::string& description,
+                 const Choices& choices, std::vector<std::string>& values) {
+  app.add_option_function<std::string>(
+         flag,
+         [=, &values](const std::string& text) {
+           values = split(text);
+           for (const std::string& value : values) {
+             if (text != "list" && !has(choices, value)) {
+               refuse(flag, value.empty() ? "''" : value,
+                      "list or, between commas, some of " + joined(choices));
+             }
+           }
+         },
+         description)
+      ->type_name("NAME,...")
+      ->group(group);
+}
+
 void add_camera_flags(CLI::App& app, CameraWishes& camera) {
   add_vector(app, "--eye", "Where the camera stands; without it the mesh is framed", camera.eye);
   add_vector(app, "--center", "What it looks at (default: the middle of the mesh)", camera.center);
@@ -259,6 +286,10 @@ void add_engine_flags(CLI::App& app, const ViewerOptions& options, ViewerFlags& 
   add_choice(app, "--simd",
              "Instruction set of the tiled engine (default: the best); 'list' names them",
              simd_choices(), flags.simd);
+  add_choices(app, "--without",
+              "What the tiled engine is not to skip (--stats counts what it skips; no pixel "
+              "changes); not with --engine exercise; 'list' names them",
+              skip_choices(options), flags.without);
 }
 
 void add_output_flags(CLI::App& app, ViewerFlags& flags) {

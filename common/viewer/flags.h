@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -35,6 +36,7 @@ struct ViewerFlags {
   bool tiled = false;
   int threads = 0;
   std::string simd;
+  std::vector<std::string> without;
   int frames = 0;  ///< 0: a single picture
   bool turntable = false;
   int repeat = 1;

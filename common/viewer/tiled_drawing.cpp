@@ -8,6 +8,7 @@ namespace {
 EngineOptions options_of(const Subject& subject) {
   EngineOptions options;
   options.threads = subject.threads;
+  options.skip = skips_without(subject.without);
   if (!subject.simd.empty()) options.simd = simd_target(subject.simd);
   return options;
 }
@@ -19,6 +20,13 @@ Choices simd_choices() {
   for (const SimdTarget target : supported_simd_targets()) {
     choices.push_back({std::string(name_of(target))});
   }
+  return choices;
+}
+
+Choices skip_choices(const ViewerOptions& options) {
+  Choices choices;
+  for (const NamedSkip& one : named_skips) choices.push_back({one.name});
+  choices.insert(choices.end(), options.skips.begin(), options.skips.end());
   return choices;
 }
 

@@ -13,6 +13,9 @@ namespace rasterlab {
 /// The values of --simd: what this build is for and this machine can run, the best last.
 Choices simd_choices();
 
+/// The values of --without: what the engine skips, and what the stage does.
+Choices skip_choices(const ViewerOptions& options);
+
 /// Draws one mesh many times, and keeps from frame to frame what stays the same.
 class TiledDrawing {
  public:

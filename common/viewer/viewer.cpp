@@ -46,7 +46,8 @@ Subject load_subject(const ViewerFlags& flags, const ViewerOptions& options,
           .wrap = or_first(flags.wrap, options.wraps),
           .cull = flags.cull,
           .threads = flags.threads,
-          .simd = flags.simd};
+          .simd = flags.simd,
+          .without = flags.without};
 }
 
 // "bunny" for /usr/share/…/bunny.obj, "cube" for builtin:cube:4.
@@ -277,6 +278,8 @@ void print(const Choices& choices) {
   }
 }
 
+const std::vector<std::string> list_only = {"list"};
+
 // Whether a flag asked for a list, which then was printed.
 bool printed_list(const ViewerFlags& flags, const ViewerOptions& options) {
   if (flags.mesh == "builtin:list") {
@@ -291,6 +294,8 @@ bool printed_list(const ViewerFlags& flags, const ViewerOptions& options) {
     print(options.wraps);
   } else if (flags.simd == "list") {
     print(simd_choices());
+  } else if (flags.without == list_only) {
+    print(skip_choices(options));
   } else {
     return false;
   }
@@ -299,7 +304,7 @@ bool printed_list(const ViewerFlags& flags, const ViewerOptions& options) {
 
 bool asks_for_list(const ViewerFlags& flags) {
   return flags.shader == "list" || flags.filter == "list" || flags.wrap == "list" ||
-         flags.simd == "list";
+         flags.simd == "list" || flags.without == list_only;
 }
 
 void check(const ViewerFlags& flags, const RunSettings& settings) {
@@ -318,12 +323,20 @@ void check(const ViewerFlags& flags, const RunSettings& settings) {
     throw UsageError("--size " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                      ": expected sides of at most " + std::to_string(longest_side));
   }
+  if (!flags.without.empty() && !flags.tiled) {
+    throw UsageError(
+        "--without: expected with --engine tiled, for the exercises' code has no such switches");
+  }
   if (flags.turntable && flags.frames == 0) {
     throw UsageError("--turntable: expected with --frames N");
   }
 }
 
 }  // namespace
+
+bool Subject::skips(const std::string& name) const {
+  return std::find(without.begin(), without.end(), name) == without.end();
+}
 
 Choices with_default(Choices choices, const std::string& name) {
   const auto usual = std::find_if(choices.begin(), choices.end(),

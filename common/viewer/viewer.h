@@ -37,8 +37,12 @@ struct Subject {
   std::string filter = {};
   std::string wrap = {};
   Cull cull = Cull::none;
-  int threads = 0;        ///< of the tiled engine; 0: all cores
-  std::string simd = {};  ///< of the tiled engine; empty: the best there is
+  int threads = 0;                        ///< of the tiled engine; 0: all cores
+  std::string simd = {};                  ///< of the tiled engine; empty: the best there is
+  std::vector<std::string> without = {};  ///< what not to skip: see skips()
+
+  /// Whether to skip what has that name, in the engine or when preparing: unless `without` has it.
+  bool skips(const std::string& name) const;
 };
 
 /// From where a frame is seen and in which light.
@@ -67,7 +71,7 @@ Choices with_default(Choices choices, const std::string& name);
 /// What a stage brings. Flags for what it does not offer do not exist.
 struct ViewerOptions {
   PrepareDrawing exercise;
-  PrepareDrawing tiled = {};  ///< empty: no --engine, --threads, --simd
+  PrepareDrawing tiled = {};  ///< empty: no --engine, --threads, --simd, --without
   bool tiled_by_default = false;
   /// The light carried round an axis through a centre by an angle in degrees; given: --light,
   /// --material, and --frames turns the light.
@@ -78,6 +82,7 @@ struct ViewerOptions {
   Choices shaders = {};   ///< --shader; the first is the default
   Choices filters = {};   ///< --filter; the first is the default
   Choices wraps = {};     ///< --wrap; the first is the default
+  Choices skips = {};     ///< what preparing a drawing skips, for --without
 };
 
 /// The viewer as one of a stage's own inputs: it runs when --mesh or --scene is given.

@@ -7,6 +7,7 @@
 
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +51,8 @@ std::vector<std::string> flags_of(const std::string& stage) {
   if (stage == "03_zbuffer") add({"--triangles"});
   if (stage >= "04") {
     add({"--mesh", "--scene", "--eye", "--center", "--up", "--fovy", "--near", "--far", "--ortho",
-         "--color", "--cull", "--frames", "--turntable", "--repeat", "--depth", "--ids"});
+         "--color", "--cull", "--without", "--frames", "--turntable", "--repeat", "--depth",
+         "--ids"});
   }
   if (stage >= "05") add({"--light", "--material"});
   if (stage >= "06") add({"--texture", "--filter", "--wrap"});
@@ -223,6 +225,11 @@ TEST_P(cli_viewer, bad_values_are_refused) {
                                             {"--engine", "warp"},
                                             {"--threads", "-1"},
                                             {"--simd", "mmx"},
+                                            {"--engine", "tiled", "--without", ""},
+                                            {"--engine", "tiled", "--without", "fog"},
+                                            {"--engine", "tiled", "--without", "outside,"},
+                                            {"--engine", "tiled", "--without", "outside,list"},
+                                            {"--engine", "exercise", "--without", "outside"},
                                             {"--frames", "0"},
                                             {"--frames", "-3"},
                                             {"--frames", "many"},
@@ -263,6 +270,30 @@ TEST_P(cli_viewer, built_in_meshes_are_listed) {
        {"cube", "wall", "grid", "uv_sphere", "icosphere", "torus", "torus_knot"}) {
     EXPECT_THAT(result.out, testing::HasSubstr(name));
   }
+}
+
+TEST_P(cli_viewer, every_listed_skip_can_be_switched_off) {
+  const ProcessResult list = run_here({"--without", "list"});
+  EXPECT_EQ(list.exit_status, 0) << list.err;
+  std::string all;
+  std::istringstream lines(list.out);
+  for (std::string line; std::getline(lines, line);) all += (all.empty() ? "" : ",") + line;
+  EXPECT_THAT(all, testing::HasSubstr("facing away,hidden clusters"));
+  const ProcessResult result = run_here({"--mesh", "builtin:torus", "--engine", "tiled", "--size",
+                                         "64x48", "--without", all, "--stats", "--out", "a.png"});
+  EXPECT_EQ(result.exit_status, 0) << result.err;
+  const nlohmann::json statistics = nlohmann::json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(statistics.is_object()) << result.out;
+  int counts = 0;
+  for (const auto& [name, value] : statistics.at("counts").items()) {
+    if (!name.ends_with("_skipped") && !name.ends_with("_hidden")) continue;
+    EXPECT_EQ(value.get<int>(), 0) << name;
+    ++counts;
+  }
+  EXPECT_GE(counts, 4);
+  EXPECT_THAT(
+      run_here({"--mesh", "builtin:cube", "--engine", "tiled", "--without", "fog"}).err,
+      testing::HasSubstr("--without fog: expected list or, between commas, some of outside"));
 }
 
 TEST_P(cli_viewer, frames_are_numbered_and_repeats_are_counted) {

@@ -65,9 +65,14 @@ TEST(stage06_texture, levels_halve_down_to_one_texel) {
     const auto last = texture.level(static_cast<float>(count - 1));
     EXPECT_EQ(last.width, 1);
     EXPECT_EQ(last.height, 1);
-    EXPECT_EQ(Texture(Image<Rgb8>(width, height), MipLevels::none).level_count(), 1);
+    EXPECT_EQ(texture.levels_left_out(), 0);
+    const Texture flat(Image<Rgb8>(width, height), MipLevels::none);
+    EXPECT_EQ(flat.level_count(), 1);
+    EXPECT_EQ(flat.levels_left_out(), count - 1) << width << " x " << height;
   }
-  EXPECT_EQ(Texture(Image<Rgb8>(1 << 17, 1)).level_count(), Texture::max_levels);
+  const Image<Rgb8> long_image(1 << 17, 1);
+  EXPECT_EQ(Texture(long_image).level_count(), Texture::max_levels);
+  EXPECT_EQ(Texture(long_image, MipLevels::none).levels_left_out(), Texture::max_levels - 1);
 }
 
 TEST(stage06_texture, needs_a_texel) {

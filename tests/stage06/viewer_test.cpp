@@ -1,5 +1,6 @@
 // Stage 06 as a user runs it on any mesh.
 #include "common/engine/simd_target.h"
+#include "common/image/bytes.h"
 #include "common/image/files.h"
 
 #include "tests/support/both_engines.h"
@@ -8,8 +9,10 @@
 #include "tests/support/scratch.h"
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace rasterlab {
 namespace {
@@ -45,6 +48,34 @@ TEST(stage06_viewer, instruction_sets_magnify_a_texture_to_the_same_bytes) {
       EXPECT_EQ(picture(target, eye), expected) << name_of(target) << " from " << eye;
     }
   }
+}
+
+TEST(stage06_viewer, levels_no_filter_reads_are_not_made) {
+  const ScratchFolder folder;
+  const auto levels_skipped = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {program("06_texture"),
+                                        "--engine",
+                                        "tiled",
+                                        "--mesh",
+                                        "builtin:uv_sphere:12",
+                                        "--texture",
+                                        source_folder() / "data/planet_color.png",
+                                        "--size",
+                                        "100x75",
+                                        "--stats",
+                                        "--out",
+                                        "a.png"};
+    command.insert(command.end(), more.begin(), more.end());
+    const ProcessResult result = run_process(command, {.folder = folder.path()});
+    EXPECT_EQ(result.exit_status, 0) << result.err;
+    const nlohmann::json statistics = nlohmann::json::parse(result.out, nullptr, false);
+    return statistics.at("counts").at("levels_skipped").get<int>();
+  };
+  EXPECT_EQ(levels_skipped({"--filter", "trilinear"}), 0);
+  EXPECT_EQ(levels_skipped({"--filter", "bilinear"}), 9) << "of 512 × 256 texels";
+  const std::string expected = read_file(folder / "a.png");
+  EXPECT_EQ(levels_skipped({"--filter", "bilinear", "--without", "unread levels"}), 0);
+  EXPECT_TRUE(read_file(folder / "a.png") == expected) << "levels that are not read show";
 }
 
 }  // namespace
