@@ -1,5 +1,7 @@
 #include "common/projection/draw_mesh.h"
 
+#include <nlohmann/json.hpp>
+
 namespace rasterlab {
 
 nlohmann::json statistics(const DrawCounts& counts) {

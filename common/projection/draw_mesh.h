@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include <Eigen/Dense>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace rasterlab {
 
