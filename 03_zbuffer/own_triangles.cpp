@@ -60,7 +60,7 @@ class DepthDrawing {
   const Image<Rgb8>& finish() const { return image_; }
 
   std::int64_t pixels_seen() const {
-    const Image<float>::Pixels& depths = depth_.depths().pixels();
+    const std::vector<float>& depths = depth_.depths().pixels();
     return std::count_if(depths.begin(), depths.end(), [](float z) { return z < 1; });
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
 
@@ -14,15 +15,21 @@ namespace rasterlab {
 
 inline constexpr std::align_val_t huge_page_size{std::size_t{1} << 21U};
 
+/// Asks for large pages where memory that nobody has touched yet has room for them.
+inline void advise_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+  if (bytes < static_cast<std::size_t>(huge_page_size)) return;
+  constexpr std::size_t page = 4096;  // or more: then the advice isn't taken
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+  madvise(static_cast<std::byte*>(memory) + before, bytes - before, MADV_HUGEPAGE);
+#endif
+}
+
 /// Memory that begins with a large page, if there are such. To be given back with
 /// ::operator delete[](…, huge_page_size).
 inline void* allocate_huge_pages(std::size_t bytes) {
   void* memory = ::operator new[](bytes, huge_page_size);
-#if defined(__linux__)
-  if (bytes >= static_cast<std::size_t>(huge_page_size)) {
-    madvise(memory, bytes, MADV_HUGEPAGE);  // no more than advice
-  }
-#endif
+  advise_huge_pages(memory, bytes);
   return memory;
 }
 

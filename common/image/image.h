@@ -29,14 +29,18 @@ template <class Pixel>
 class Image {
  public:
   using value_type = Pixel;
-  using Pixels = std::vector<Pixel, HugePageAllocator<Pixel>>;
 
   Image() = default;
 
   /// Every pixel is `fill`. Throws CheckError when a side is negative or the image would exceed
   /// 2^28 pixels.
   Image(int width, int height, const Pixel& fill = blank_pixel<Pixel>())
-      : width_(width), height_(height), pixels_(checked_pixel_count(width, height), fill) {}
+      : width_(width), height_(height) {
+    const std::size_t count = checked_pixel_count(width, height);
+    pixels_.reserve(count);
+    advise_huge_pages(pixels_.data(), count * sizeof(Pixel));
+    pixels_.assign(count, fill);
+  }
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -58,8 +62,8 @@ class Image {
   const Pixel* row(int y) const { return pixels_.data() + static_cast<std::ptrdiff_t>(y) * width_; }
 
   /// All pixels, row after row.
-  Pixels& pixels() { return pixels_; }
-  const Pixels& pixels() const { return pixels_; }
+  std::vector<Pixel>& pixels() { return pixels_; }
+  const std::vector<Pixel>& pixels() const { return pixels_; }
 
   void clear(const Pixel& value) { pixels_.assign(pixels_.size(), value); }
 
@@ -72,7 +76,7 @@ class Image {
 
   int width_ = 0;
   int height_ = 0;
-  Pixels pixels_;
+  std::vector<Pixel> pixels_;
 };
 
 }  // namespace rasterlab

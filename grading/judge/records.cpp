@@ -170,7 +170,7 @@ void Results::picture(const std::string& name, const Image<std::uint8_t>& image,
       .name = name, .kind = RecordKind::picture, .width = image.width(), .height = image.height()};
   record.tolerance = max_difference;
   record.free_pixels = free_pixels;
-  record.bytes.assign(image.pixels().begin(), image.pixels().end());
+  record.bytes = image.pixels();
   records_.push_back(std::move(record));
 }
 
@@ -188,8 +188,8 @@ void Results::coverage(const std::string& name, const Image<std::uint8_t>& drawn
                        const Image<std::uint8_t>& demands) {
   Record record{
       .name = name, .kind = RecordKind::coverage, .width = drawn.width(), .height = drawn.height()};
-  record.bytes.assign(drawn.pixels().begin(), drawn.pixels().end());
-  record.demands.assign(demands.pixels().begin(), demands.pixels().end());
+  record.bytes = drawn.pixels();
+  record.demands = demands.pixels();
   records_.push_back(std::move(record));
 }
 
