@@ -50,7 +50,8 @@ struct QuietShader : BusyShader {
 
   template <class Number>
   Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
-    return normalized(point.value.normal);
+    const auto& [normal, position] = point.value;
+    return {magnitude(normal.x()), magnitude(normal.y()), magnitude(position.z())};
   }
 };
 
