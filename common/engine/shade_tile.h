@@ -312,7 +312,7 @@ class TileShading {
     if (!leaves_out_unread_) work_out_all(seen, weights, first);
   }
 
-  /// What the shader doesn't read as well.
+  /// What the shader doesn't read, and what it reads once more.
   [[gnu::noinline]] void work_out_all(const SeenByPair& seen, const WeightsInBlock* weights,
                                       int first) const {
     Point<NumberPair> point;

@@ -31,7 +31,8 @@ struct Statistics {
   /// As many as are visible; without the skip of hidden fragments, all that were when drawn.
   std::uint64_t pixels_shaded = 0;
   std::uint64_t pixels_asked = 0;  ///< given to a shader to be discarded or drawn
-  /// Numbers of varyings' derivatives, of those pixels, that the shader says it doesn't read.
+  /// Numbers of varyings' derivatives that the shader says it doesn't read, of shaded pixels, but
+  /// for triangles that are the same all over.
   std::uint64_t derivatives_unread = 0;
   std::uint64_t triangles_shaded = 0;  ///< for which vertex() was called, once per tile
   double milliseconds = 0;

@@ -16,7 +16,8 @@
 
 namespace rasterlab {
 
-/// A sampler that a shader may ask for: given, made by a function when a shader asks, or none.
+/// A sampler that a shader may ask for: given, made by a function when a shader asks, or none. The
+/// function is called each time one asks.
 class SamplerInput {
  public:
   SamplerInput() = default;

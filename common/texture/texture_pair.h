@@ -7,7 +7,7 @@
 namespace rasterlab {
 
 /// Two textures of one size, as a surface's colours and its normal map often are. They must outlive
-/// this.
+/// this, which can be copied but not assigned.
 class TexturePair {
  public:
   /// Throws CheckError when their sizes, or the numbers of their levels, differ.
