@@ -76,12 +76,12 @@ struct PackedTriangles {
 };
 
 /// Any other triangle, in the picture's coordinates, 1/256 pixel; area positive. Three times four
-/// words, so that a lane's are read in three.
+/// words, so that a lane's are read in three, all of one cache line.
 ///
 /// Slivers among them are a few pixels wide where they are widest, along the axis they reach less
 /// far on, and of any length as long as the box around them has less than 2^31 square units: then
 /// all edge functions in it fit 32 bits.
-struct alignas(16) LargeTriangle {
+struct alignas(64) LargeTriangle {
   static constexpr int max_thin_width = 3;
 
   std::array<std::int32_t, 3> x;
@@ -89,6 +89,14 @@ struct alignas(16) LargeTriangle {
   std::array<float, 3> depth;
   std::uint32_t key;
   std::int32_t thin_width = 0;  ///< of a sliver, in whole pixels
+
+  /// Its area, in pixels.
+  std::int64_t pixels() const {
+    const auto cross = [](std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by) {
+      return ax * by - ay * bx;
+    };
+    return cross(x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]) / (2 * 256 * 256);
+  }
 };
 
 /// Those that reach into one tile.
@@ -138,7 +146,9 @@ struct TileBin {
   /// slivers, which hardly do.
   std::uint32_t worth = 0;
   static constexpr std::uint32_t worth_of_medium = 8;
-  static constexpr std::uint32_t worth_of_large = 1000;
+  static std::uint32_t worth_of_large(const LargeTriangle& triangle) {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(triangle.pixels() / 4, 1, 1000));
+  }
 };
 
 /// Per pixel of a tile its depth's bits above the complement of its triangle's number, so that of
@@ -159,7 +169,7 @@ struct VisiblePart {
 /// What shading knows of a triangle besides its record (visible_triangles.h).
 struct ShadedTriangle {
   std::array<double, 3>
-      edges;            ///< edge functions 1 and 2 at the tile's first pixel, twice the area
+      edges;            ///< edge functions 1 and 2 at the picture's first pixel, twice the area
   bool is_large;        ///< 32 bits aren't enough for them
   bool front;           ///< its front is seen; unknown of a constant one
   bool is_constant;     ///< all corners have the same varyings, so all its pixels …
@@ -169,9 +179,10 @@ struct ShadedTriangle {
 
 /// Room for shading a tile, kept from one to the next (visible_triangles.h).
 struct ShadingScratch {
-  std::vector<VisiblePart> part;            ///< block after block
-  std::vector<std::uint32_t> parts_end;     ///< per block
-  std::vector<std::uint32_t> key;           ///< per slot: the triangle that has it
+  std::vector<VisiblePart> part;         ///< block after block
+  std::vector<std::uint32_t> parts_end;  ///< per block
+  std::size_t slot_count = 0;
+  std::vector<std::uint32_t> key;           ///< per slot: the triangle that has it; 0: part of one
   std::vector<std::uint32_t> clipped;       ///< slots of triangles that had to be clipped
   std::vector<std::uint32_t> table;         ///< hash table from key to slot
   std::vector<std::int32_t> slot_of_plane;  ///< per plane of undisputed blocks; −1: none yet
@@ -179,8 +190,18 @@ struct ShadingScratch {
   std::vector<ShadedTriangle> triangle;     ///< per slot
   ScatteredPixels scattered;                ///< of blocks that have no parts
   bool any_large = false;                   ///< triangles, as ShadedTriangle::is_large
+  bool any_constant = false;                ///< as ShadedTriangle::is_constant
   bool likely_constant = false;             ///< the last triangles set up were
   float fetched;  ///< of no use but that what it was made of had to be read
+
+  /// Triangles have no slots any more.
+  void forget() {
+    slot_count = 0;
+    clipped.clear();
+    any_large = false;
+    any_constant = false;
+    likely_constant = false;
+  }
 };
 
 /// What belongs to one thread, in cache lines of its own.
@@ -198,13 +219,14 @@ struct alignas(64) Worker {
   void begin(int tiles) {
     arena.reset();
     bins.assign(static_cast<std::size_t>(tiles), TileBin());
+    scratch.forget();
   }
 
   TileBin& bin(int tile) { return bins[static_cast<std::size_t>(tile)]; }
 
   void add_large(int tile, const LargeTriangle* triangle) {
     LargeTriangles& chunk = bin(tile).large.with_room(arena);
-    bin(tile).worth += TileBin::worth_of_large;
+    bin(tile).worth += TileBin::worth_of_large(*triangle);
     chunk.triangle[static_cast<std::size_t>(chunk.count++)] = triangle;
   }
 

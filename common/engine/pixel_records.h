@@ -119,7 +119,7 @@ class OwnRecords {
   std::array<Number, (word_count + 3) / 4 * 4> word_;
 };
 
-/// Edge function 1 or 2 of a large triangle whose record `words` is, at a pixel of the tile.
+/// Edge function 1 or 2 of a large triangle whose record `words` is, at a pixel of the picture.
 inline double large_edge(const ShadedTriangle& triangle, const float* words, int edge, int x,
                          int y) {
   const auto step = [&](int of_1, int of_2) {
@@ -129,7 +129,7 @@ inline double large_edge(const ShadedTriangle& triangle, const float* words, int
          256.0 * (step(word::step1_x, word::step2_x) * x + step(word::step1_y, word::step2_y) * y);
 }
 
-/// Edge functions at pixels of the tile, each in the triangle it sees; of large ones anything.
+/// Edge functions at pixels of the picture, each in the triangle it sees; of large ones anything.
 template <class Record>
 Edges edges_at(const Record& r, Ints x, Ints y) {
   const auto edge = [&](int at_first, int step_x, int step_y) {

@@ -86,7 +86,7 @@ class Drawing {
   /// more often.
   static constexpr std::size_t batch_size = 256;
   /// What is worth fetching a tile's memory for (TileBin::worth); with less it waits.
-  static constexpr std::uint32_t enough_for_a_tile = 96;
+  static constexpr std::uint32_t enough_for_a_tile = 192;
   /// What bins may hold, in bytes, before every tile is drawn.
   static constexpr std::size_t most_binned = std::size_t{16} << 20U;
 

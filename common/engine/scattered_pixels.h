@@ -21,7 +21,7 @@ struct ScatteredPixels {
 
   std::size_t count = 0;
   alignas(64) Values place;   ///< in the tile's arrays
-  alignas(64) Values column;  ///< of the tile
+  alignas(64) Values column;  ///< of the picture
   alignas(64) Values row;
   alignas(64) Values slot;  ///< the triangle's; its key until all have slots
   /// Per place in the tile's arrays, packed.

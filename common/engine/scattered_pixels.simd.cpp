@@ -32,7 +32,7 @@ bool VisibleTriangles::are_scattered(int block, BlockMask seen) const {
 void VisibleTriangles::add_scattered(int block, BlockMask seen) {
   ScatteredPixels& all = scratch_.scattered;
   all.in_block[static_cast<std::size_t>(block)] = seen;
-  const PixelOffset place = place_of_block(tile_, block);
+  const PixelOffset place = in_picture(place_of_block(tile_, block));
   const std::uint32_t* key = tile_.key + block * 64;
   for (int pixel = 0; pixel < 64; pixel += lanes) {
     const std::uint32_t here = lanes_at(seen, pixel);
@@ -50,10 +50,7 @@ void VisibleTriangles::add_scattered(int block, BlockMask seen) {
 
 void VisibleTriangles::find_slots_of_scattered() {
   ScatteredPixels& all = scratch_.scattered;
-  all.repeat_last();
-  for (std::size_t i = 0; i < all.count; i += lanes) {
-    store(slots_of(load(&all.slot[i])), &all.slot[i]);
-  }
+  find_slots({all.slot.data(), all.count});
   all.repeat_last();
 }
 

@@ -165,7 +165,7 @@ class TileShading {
     const Parts parts = triangles_.parts(block);
     colors.mask = seen_by(parts);
     colors.kept = 0;
-    if (!any_constant_) {
+    if (!triangles_.any_constant()) {
       if (!parts.empty()) shade_varying(block, parts, colors);
       return;
     }
@@ -382,7 +382,7 @@ class TileShading {
     ScatteredPixels& pixels = triangles_.scattered();
     if (pixels.count == 0) return;
     statistics_.pixels_shaded += pixels.count;
-    if (any_constant_) triangles_.paint_scattered();
+    if (triangles_.any_constant()) triangles_.paint_scattered();
     for (std::size_t first = 0; first < pixels.count; first += 64) {
       shade_some_scattered(first, std::min<std::size_t>(64, pixels.count - first), pixels);
     }
@@ -414,9 +414,8 @@ class TileShading {
   void shade_constant_triangles() {
     std::array<std::int32_t, lanes> slot = {};
     std::size_t count = 0;
-    for (std::int32_t i = 0; i < triangles_.slot_count(); ++i) {
+    for (std::int32_t i = triangles_.first_new_slot(); i < triangles_.slot_count(); ++i) {
       if (!triangles_.triangle(i).is_constant) continue;
-      any_constant_ = true;
       slot[count++] = i;
       if (count < slot.size()) continue;
       shade_constant(slot);
@@ -577,7 +576,6 @@ class TileShading {
   VisibleTriangles triangles_;
   int block_count_;
   bool leaves_out_unread_;
-  bool any_constant_ = false;
   Statistics& statistics_;
 };
 

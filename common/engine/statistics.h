@@ -34,7 +34,7 @@ struct Statistics {
   /// Numbers of varyings' derivatives that the shader says it doesn't read, of shaded pixels, but
   /// for triangles that are the same all over.
   std::uint64_t derivatives_unread = 0;
-  std::uint64_t triangles_shaded = 0;  ///< for which vertex() was called, once per tile
+  std::uint64_t triangles_shaded = 0;  ///< for which vertex() was called: for one or several tiles
   double milliseconds = 0;
 
   Statistics& operator+=(const Statistics& other);

@@ -26,7 +26,7 @@ struct ThinCorners {
 template <class Triangle>
 ThinCorners load_corners(const Triangle& triangle, const Tile& tile) {
   std::array<Number, 12> words;
-  static_assert(sizeof(LargeTriangle) == words.size() * sizeof(float));
+  static_assert(sizeof(LargeTriangle) >= words.size() * sizeof(float));
   for (std::size_t i = 0; i < words.size(); i += 4) {
     const auto place = [&](std::size_t lane) {
       return reinterpret_cast<const float*>(triangle(lane)) + i;

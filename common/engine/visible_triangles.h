@@ -1,15 +1,16 @@
 // The triangles that are seen in a tile, set up for shading: whatever of that is the same for every
 // shader, and so needn't be compiled with each.
 //
-// Each triangle gets a slot. A block of 8×8 pixels is a list of parts: a slot, and which pixels
-// show its triangle; or it has its pixels on the tile's list of scattered ones, each with a slot.
+// Each triangle gets a slot, which it keeps for the next tiles, since it may reach there. A block
+// of 8×8 pixels is a list of parts: a slot, and which pixels show its triangle; or it has its
+// pixels on the tile's list of scattered ones, each with a slot.
 //
 // What shading needs to know of a triangle is a record of 32-bit words, its slot's:
 //
-// - its edge functions 1 and 2, which face corners 1 and 2 and are positive inside, at the tile's
-//   first pixel, their steps, and their sum's limit, twice the area. Inside, edge functions are
-//   between 0 and twice the area; where that is below 2^31, they are exact modulo 2^32, whatever
-//   they are at the tile's first pixel. Larger triangles also have them as doubles.
+// - its edge functions 1 and 2, which face corners 1 and 2 and are positive inside, at the
+//   picture's first pixel, their steps, and their sum's limit, twice the area. Inside, edge
+//   functions are between 0 and twice the area; where that is below 2^31, they are exact modulo
+//   2^32, whatever they are at the first pixel. Larger triangles also have them as doubles.
 // - the ratios of w;
 // - of each Number of the shader's varyings its value at corner 0; of each, how much it differs at
 //   corner 1; of each, how much at corner 2.
@@ -109,13 +110,18 @@ class VisibleTriangles {
   /// A single triangle, for pixels of a tile that is a single block.
   void take_one(std::uint32_t key, BlockMask covered);
 
-  std::int32_t slot_count() const { return static_cast<std::int32_t>(slot_count_); }
+  /// Slots before this one are of triangles that tiles before had set up.
+  std::int32_t first_new_slot() const { return static_cast<std::int32_t>(first_new_); }
+  std::int32_t slot_count() const { return static_cast<std::int32_t>(scratch_.slot_count); }
   const float* record(std::int32_t slot) const {
     return scratch_.record.data() + slot * varyings_.record_size();
   }
   ShadedTriangle& triangle(std::int32_t slot) const {
     return scratch_.triangle[static_cast<std::size_t>(slot)];
   }
+
+  /// Whether any of them are the same all over.
+  bool any_constant() const { return scratch_.any_constant; }
 
   /// What a block shows of the draw call: each triangle once.
   std::span<const VisiblePart> parts(int block) const {
@@ -186,6 +192,10 @@ class VisibleTriangles {
   float* record(std::size_t slot) {
     return scratch_.record.data() + slot * static_cast<std::size_t>(varyings_.record_size());
   }
+  PixelOffset in_picture(PixelOffset in_tile) const {
+    return {tile_.left + in_tile.x, tile_.top + in_tile.y};
+  }
+  void forget_or_keep();
   void collect();
   void collect_undisputed(int block);
   void collect_block(int block);
@@ -193,7 +203,8 @@ class VisibleTriangles {
   void add_scattered(int block, BlockMask seen);
   void find_slots_of_scattered();
   std::int32_t slot_of(std::uint32_t key);
-  Ints slots_of(Ints keys);
+  void find_slots(std::span<std::int32_t> values);
+  void reserve_keys(std::size_t more);
   void reserve_slots(std::size_t count);
   void set_up();
   void fetch_vertices(std::size_t first_slot, std::size_t count);
@@ -215,7 +226,7 @@ class VisibleTriangles {
   const Mesh& mesh_;
   const Tile& tile_;
   const CornerVaryings& varyings_;
-  std::size_t slot_count_ = 0;
+  std::size_t first_new_ = 0;  ///< slot
   ShadingScratch& scratch_;
   Statistics& statistics_;
 };

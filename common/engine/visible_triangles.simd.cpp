@@ -19,13 +19,16 @@ VisibleTriangles::VisibleTriangles(const DrawJob& job, const Tile& tile,
 
 void VisibleTriangles::take_all() {
   prefetch_colors(0);
+  forget_or_keep();
   collect();
   set_up();
   resolve_clipped_pixels();
 }
 
 void VisibleTriangles::take_one(std::uint32_t key, BlockMask covered) {
-  scratch_.key.assign(1, key);
+  scratch_.forget();
+  reserve_keys(1);
+  scratch_.key[scratch_.slot_count++] = key;
   scratch_.part.assign(1, {covered, 0});
   scratch_.parts_end.assign(1, 1);
   scratch_.scattered.clear();
@@ -38,7 +41,10 @@ void VisibleTriangles::take_one(std::uint32_t key, BlockMask covered) {
 
 namespace {
 
-constexpr int table_bits = 12;
+/// Slots. With more, their records would be further away than what they are made of.
+constexpr std::size_t most_kept = 4096;
+
+constexpr int table_bits = 14;
 constexpr std::uint32_t spread = 2654435761U;
 
 /// Triangles: a few times what a processor can wait for at once, and not more than fits near it.
@@ -47,10 +53,6 @@ constexpr std::size_t fetched_at_once = 128;
 /// Where in the hash table a key belongs.
 std::size_t table_index(std::uint32_t key) {
   return key * spread >> (32 - table_bits);
-}
-
-Ints table_indices(Ints key) {
-  return shift_right_unsigned<32 - table_bits>(key * Ints(static_cast<std::int32_t>(spread)));
 }
 
 /// The pixels of a block whose keys, given a vector at a time, fulfil a condition.
@@ -65,10 +67,17 @@ BlockMask pixels_where(const std::uint32_t* key, const Condition& condition) {
 
 }  // namespace
 
+/// Those of the tiles before, whose neighbours may see them too. Not where some were clipped: of
+/// these a tile only has the parts that it sees.
+void VisibleTriangles::forget_or_keep() {
+  if (scratch_.slot_count > most_kept || !scratch_.clipped.empty()) scratch_.forget();
+  first_new_ = scratch_.slot_count;
+}
+
 void VisibleTriangles::collect() {
   const auto blocks = static_cast<std::size_t>(tile_.block_count());
   scratch_.table.resize(std::size_t{1} << table_bits);
-  scratch_.key.clear();
+  reserve_keys(static_cast<std::size_t>(tile_.pixel_count()));
   scratch_.part.clear();
   scratch_.scattered.clear();
   scratch_.parts_end.resize(blocks);
@@ -132,33 +141,36 @@ BlockMask VisibleTriangles::inside(int block) const {
   return (every_row >> (64 - 8 * rows)) * (0xFFU >> (8 - columns));
 }
 
-/// A table entry is believed when the list of keys confirms it, so it need not be cleared; a
-/// triangle that lost its entry to another is only set up twice.
-std::int32_t VisibleTriangles::slot_of(std::uint32_t key) {
-  std::uint32_t& entry = scratch_.table[table_index(key)];
-  if (entry >= scratch_.key.size() || scratch_.key[entry] != key) {
-    entry = static_cast<std::uint32_t>(scratch_.key.size());
-    scratch_.key.push_back(key);
+/// Slots in place of keys. A table entry is believed when the list of keys confirms it, so it need
+/// not be cleared; a triangle that lost its entry to another is only set up twice. Without
+/// branches, for nobody guesses where a triangle is seen first.
+void VisibleTriangles::find_slots(std::span<std::int32_t> values) {
+  std::uint32_t* const table = scratch_.table.data();
+  std::uint32_t* const keys = scratch_.key.data();
+  auto count = static_cast<std::uint32_t>(scratch_.slot_count);
+  for (std::int32_t& value : values) {
+    const auto key = static_cast<std::uint32_t>(value);
+    std::uint32_t& entry = table[table_index(key)];
+    const std::uint32_t old = entry;
+    const std::uint32_t known = std::uint32_t{old < count} & std::uint32_t{keys[old] == key};
+    const std::uint32_t slot = count ^ ((count ^ old) & (0U - known));
+    keys[count] = key;
+    entry = slot;
+    value = static_cast<std::int32_t>(slot);
+    count += 1U - known;
   }
-  return static_cast<std::int32_t>(entry);
+  scratch_.slot_count = count;
 }
 
-/// A vector of them, most of which have been asked for before.
-Ints VisibleTriangles::slots_of(Ints keys) {
-  alignas(64) std::array<std::int32_t, lanes> slot;
-  store(keys, slot.data());
-  if (scratch_.key.empty()) slot_of(static_cast<std::uint32_t>(slot[0]));
-  const Ints entry = gather_ints(scratch_.table.data(), table_indices(keys));
-  const Truth may_be = entry < Ints(static_cast<std::int32_t>(scratch_.key.size()));
-  const Ints known = select(may_be, entry, Ints(0));
-  const Truth is = may_be && gather_ints(scratch_.key.data(), known) == keys;
-  if (all(is)) return known;
-  store(select(is, known, keys), slot.data());
-  for (std::uint32_t rest = bits(!is); rest != 0; rest &= rest - 1) {
-    std::int32_t& key = slot[static_cast<std::size_t>(std::countr_zero(rest))];
-    key = slot_of(static_cast<std::uint32_t>(key));
-  }
-  return load(slot.data());
+std::int32_t VisibleTriangles::slot_of(std::uint32_t key) {
+  auto value = static_cast<std::int32_t>(key);
+  find_slots({&value, 1});
+  return value;
+}
+
+void VisibleTriangles::reserve_keys(std::size_t more) {
+  const std::size_t size = scratch_.slot_count + more + 1;
+  if (scratch_.key.size() < size) scratch_.key.resize(size);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -186,23 +198,22 @@ struct VisibleTriangles::TriangleLanes {
 };
 
 void VisibleTriangles::reserve_slots(std::size_t count) {
-  slot_count_ = count;
   const std::size_t size = count * static_cast<std::size_t>(varyings_.record_size());
   if (scratch_.record.size() < size) scratch_.record.resize(size);
   if (scratch_.triangle.size() < count) scratch_.triangle.resize(count);
 }
 
 void VisibleTriangles::set_up() {
-  const std::size_t count = scratch_.key.size();
-  scratch_.clipped.clear();
-  scratch_.any_large = false;
-  reserve_slots(count);
-  for (std::size_t first = 0; first < count; first += lanes) {
-    if (first % fetched_at_once == 0)
-      fetch_vertices(first, std::min(fetched_at_once, count - first));
-    set_up_some(first, std::min<std::size_t>(lanes, count - first));
+  const std::size_t end = scratch_.slot_count;
+  reserve_slots(end);
+  for (std::size_t some = first_new_; some < end; some += fetched_at_once) {
+    const std::size_t some_end = std::min(some + fetched_at_once, end);
+    fetch_vertices(some, some_end - some);
+    for (std::size_t first = some; first < some_end; first += lanes) {
+      set_up_some(first, std::min<std::size_t>(lanes, some_end - first));
+    }
   }
-  statistics_.triangles_shaded += count;
+  statistics_.triangles_shaded += end - first_new_;
 }
 
 /// Reads of all these triangles' vertices, one after the other, so that they are near when they are
@@ -276,7 +287,11 @@ void VisibleTriangles::set_up_some(std::size_t first_slot, std::size_t count) {
     const bool varies = varyings_.write_record(job_.shader, mesh_, triangle_of(key[lane]),
                                                first[lane], record(slot) + word::count);
     scratch_.triangle[slot].is_constant = !varies;
-    if (varies) varying |= 1U << lane;
+    if (varies) {
+      varying |= 1U << lane;
+    } else {
+      scratch_.any_constant = true;
+    }
   }
   scratch_.likely_constant = varying == 0;
   if (varying == 0) return;
@@ -328,8 +343,8 @@ void VisibleTriangles::write_words(const std::array<Ints, word::count>& words,
 
 void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_slot,
                                       std::size_t count) {
-  const Ints px(tile_.left * 256 + 128);
-  const Ints py(tile_.top * 256 + 128);
+  const Ints px(128);  // the centre of the picture's first pixel
+  const Ints py(128);
   const auto& x = t.x;
   const auto& y = t.y;
   const auto exact_product = &TriangleLanes::exact_product;
@@ -387,8 +402,7 @@ void VisibleTriangles::resolve_clipped_pixels() {
     const ClippedParts clipped = parts_of(job_.transform, polygon);
     for (const ClippedPart& part : clipped.all()) {
       if (part.side() != clipped.side) continue;
-      parts.push_back(
-          {static_cast<std::int32_t>(whole), static_cast<std::int32_t>(slot_count_), part.snapped});
+      parts.push_back({static_cast<std::int32_t>(whole), slot_count(), part.snapped});
       add_slot(part, corners.data());
     }
   }
@@ -397,8 +411,10 @@ void VisibleTriangles::resolve_clipped_pixels() {
 }
 
 void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
-  const std::size_t slot = slot_count_;
+  const std::size_t slot = scratch_.slot_count;
+  reserve_keys(1);
   reserve_slots(slot + 1);
+  scratch_.key[scratch_.slot_count++] = 0;
   TriangleLanes lanes_of_part;
   const auto count = static_cast<std::size_t>(varyings_.count);
   const auto value = [&](std::size_t c, std::size_t i) {
@@ -424,6 +440,7 @@ void VisibleTriangles::add_slot(const ClippedPart& part, const float* corners) {
   }
   write_geometry(lanes_of_part, slot, 1);
   scratch_.triangle[slot].is_constant = !differ;
+  scratch_.any_constant = scratch_.any_constant || !differ;
 }
 
 /// In the lists of the blocks, the parts in place of the whole. A pixel on the line between two is
@@ -536,7 +553,7 @@ HWY_INLINE VisibleTriangles::EdgeWalk<Whole> VisibleTriangles::walk(std::int32_t
   };
   const Whole column = whole<Whole>(load(places.x.data()));
   const Whole row = whole<Whole>(load(places.y.data()));
-  const PixelOffset corner = place_of_block(tile_, block);
+  const PixelOffset corner = in_picture(place_of_block(tile_, block));
   EdgeWalk<Whole> edges;
   const auto set = [&](std::size_t i, Scalar at_first, int step_x, int step_y) {
     const Scalar right = 256 * word(step_x);
@@ -654,7 +671,7 @@ void VisibleTriangles::weigh_each(std::span<const VisiblePart> parts,
 }
 
 PixelWeights VisibleTriangles::weights_of_each(const EachRecord& r, int block, int first) const {
-  const PixelOffset place = place_of_block(tile_, block);
+  const PixelOffset place = in_picture(place_of_block(tile_, block));
   const Ints pixel = iota(first);
   const Ints x = (pixel & Ints(7)) + Ints(place.x);
   const Ints y = shift_right<3>(pixel) + Ints(place.y);
