@@ -9,8 +9,9 @@
 //
 // - its edge functions 1 and 2, which face corners 1 and 2 and are positive inside, at the
 //   picture's first pixel, their steps, and their sum's limit, twice the area. Inside, edge
-//   functions are between 0 and twice the area; where that is below 2^31, they are exact modulo
-//   2^32, whatever they are at the first pixel. Larger triangles also have them as doubles.
+//   functions are between 0 and twice the area; where 32 bits hold that, and all that they are in a
+//   block a part of which is inside, they are exact modulo 2^32, whatever they are at the first
+//   pixel. Larger triangles also have them as doubles.
 // - the ratios of w;
 // - of each Number of the shader's varyings its value at corner 0; of each, how much it differs at
 //   corner 1; of each, how much at corner 2.
@@ -173,13 +174,11 @@ class VisibleTriangles {
     std::int32_t slot;
     std::array<SnappedCorner, 3> corner;
   };
-  template <class Whole>
   struct EdgeWalk;
 
-  template <class Whole>
-  EdgeWalk<Whole> walk(std::int32_t slot, int block) const;
+  EdgeWalk walk(std::int32_t slot, int block) const;
   template <bool for_derivatives>
-  void weigh_small(std::span<const VisiblePart> parts, int block, WeightsInBlock& weights) const;
+  void weigh_few(std::span<const VisiblePart> parts, int block, WeightsInBlock& weights) const;
   template <bool for_derivatives>
   void weigh_one(const VisiblePart& part, int block, WeightsInBlock& weights) const;
   template <bool for_derivatives>

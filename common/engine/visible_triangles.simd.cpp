@@ -351,7 +351,11 @@ void VisibleTriangles::write_geometry(const TriangleLanes& t, std::size_t first_
   const Doubles exact_area = t.exact_area();
   const Number area = to_number(exact_area);
   const Ints side = select(area > Number(0), Ints(1), Ints(-1));
-  const Truth is_large = magnitude(area) >= Number(2147483648.0F);
+  const auto length = [](Ints a) { return magnitude(as_numbers(a)); };
+  const Number steps =
+      length(x[0] - x[1]) + length(x[0] - x[2]) + length(y[0] - y[1]) + length(y[0] - y[2]);
+  // Within a block edge functions differ by 7 steps each way.
+  const Truth is_large = magnitude(area) + steps * Number(2048) >= Number(2147483000.0F);
   // Edge 1 runs from corner 2 to 0, edge 2 from 0 to 1. These are modulo 2^32.
   std::array<Ints, word::count> words;
   words[word::step1_x] = side * (y[2] - y[0]);
@@ -490,84 +494,57 @@ BlockMask VisibleTriangles::covered(const std::array<SnappedCorner, 3>& corner, 
 // ---------------------------------------------------------------------------------------------
 // For shading
 
-namespace {
-
-template <class Whole>
-Whole whole(Ints value) {
-  if constexpr (std::is_same_v<Whole, Doubles>) {
-    return to_doubles(value);
-  } else {
-    return value;
-  }
-}
-
-}  // namespace
-
-/// A triangle's edge functions 1 and 2, exactly, for a vector of a block's pixels and then for the
-/// next. `Whole` is Ints, modulo 2^32, or, for large triangles, Doubles.
-template <class Whole>
+/// A triangle's edge functions, exactly, for a vector of a block's pixels and then for the next.
 struct VisibleTriangles::EdgeWalk {
-  std::array<Whole, 2> e;
-  std::array<BlockSteps<Whole>, 2> steps;
-  Whole area;
+  std::array<Doubles, 3> e;
+  std::array<BlockSteps<Doubles>, 3> steps;
   Doubles ratio1, ratio2;
 
   /// From the vector that begins with pixel `first` to the next.
   void move_on(int first) {
-    for (std::size_t i = 0; i < 2; ++i) e[i] = steps[i].after(first / lanes, e[i]);
+    for (std::size_t i = 0; i < 3; ++i) e[i] = steps[i].after(first / lanes, e[i]);
   }
-  PixelWeights weights() const {
-    const Edges edges = {to_doubles(area - (e[0] + e[1])), to_doubles(e[0]), to_doubles(e[1])};
-    return edges.weights(ratio1, ratio2);
-  }
+  PixelWeights weights() const { return Edges{e[0], e[1], e[2]}.weights(ratio1, ratio2); }
   /// Where pixels see another triangle, what that has there.
   PixelWeights weights_beside(Truth is_other, const EdgeWalk& other) const {
-    EdgeWalk both;
-    for (std::size_t i = 0; i < 2; ++i) both.e[i] = select(is_other, other.e[i], e[i]);
-    both.area = select(is_other, other.area, area);
-    both.ratio1 = select(is_other, other.ratio1, ratio1);
-    both.ratio2 = select(is_other, other.ratio2, ratio2);
-    return both.weights();
+    const auto either = [&](Doubles own, Doubles others) { return select(is_other, others, own); };
+    const Edges edges = {either(e[0], other.e[0]), either(e[1], other.e[1]),
+                         either(e[2], other.e[2])};
+    return edges.weights(either(ratio1, other.ratio1), either(ratio2, other.ratio2));
   }
 };
 
-template <class Whole>
-HWY_INLINE VisibleTriangles::EdgeWalk<Whole> VisibleTriangles::walk(std::int32_t slot,
-                                                                    int block) const {
-  constexpr bool in_doubles = std::is_same_v<Whole, Doubles>;
-  using Scalar = std::conditional_t<in_doubles, double, std::uint32_t>;
+HWY_INLINE VisibleTriangles::EdgeWalk VisibleTriangles::walk(std::int32_t slot, int block) const {
   const float* words = record(slot);
   const ShadedTriangle& shaded = triangle(slot);
-  const auto word = [&](int i) {
-    return static_cast<Scalar>(std::bit_cast<std::int32_t>(words[i]));
-  };
-  const auto all = [](Scalar value) {
-    if constexpr (in_doubles) {
-      return Doubles(value);
-    } else {
-      return Ints(static_cast<std::int32_t>(value));
-    }
-  };
-  const auto known = [&](int i, std::size_t large) {
-    return in_doubles ? static_cast<Scalar>(shaded.edges[large]) : word(i);
-  };
-  const Whole column = whole<Whole>(load(places.x.data()));
-  const Whole row = whole<Whole>(load(places.y.data()));
+  const auto word = [&](int i) { return std::bit_cast<std::int32_t>(words[i]); };
+  const Doubles column = to_doubles(load(places.x.data()));
+  const Doubles row = to_doubles(load(places.y.data()));
   const PixelOffset corner = in_picture(place_of_block(tile_, block));
-  EdgeWalk<Whole> edges;
-  const auto set = [&](std::size_t i, Scalar at_first, int step_x, int step_y) {
-    const Scalar right = 256 * word(step_x);
-    const Scalar down = 256 * word(step_y);
-    const auto change = [&](PixelOffset way) {
-      return right * static_cast<Scalar>(way.x) + down * static_cast<Scalar>(way.y);
-    };
-    edges.steps[i] = BlockSteps<Whole>([&](PixelOffset way) { return all(change(way)); },
-                                       column * all(right) + row * all(down));
-    edges.e[i] = all(at_first + change(corner)) + edges.steps[i].first;
+  EdgeWalk edges;
+  const auto set = [&](std::size_t i, double at_corner, double right, double down) {
+    edges.steps[i] =
+        BlockSteps<Doubles>([&](PixelOffset way) { return Doubles(right * way.x + down * way.y); },
+                            column * Doubles(right) + row * Doubles(down));
+    edges.e[i] = Doubles(at_corner) + edges.steps[i].first;
   };
-  set(0, known(word::edge1, 0), word::step1_x, word::step1_y);
-  set(1, known(word::edge2, 1), word::step2_x, word::step2_y);
-  edges.area = all(known(word::area, 2));
+  const auto at_corner = [&](std::size_t i, int edge, int step_x, int step_y) -> double {
+    if (shaded.is_large) return large_edge(shaded, words, static_cast<int>(i), corner.x, corner.y);
+    const auto unsigned_word = [&](int w) { return static_cast<std::uint32_t>(word(w)); };
+    return static_cast<std::int32_t>(
+        unsigned_word(edge) + 256 * (unsigned_word(step_x) * static_cast<std::uint32_t>(corner.x) +
+                                     unsigned_word(step_y) * static_cast<std::uint32_t>(corner.y)));
+  };
+  const double area = shaded.is_large ? shaded.edges[2] : word(word::area);
+  const double e1 = at_corner(1, word::edge1, word::step1_x, word::step1_y);
+  const double e2 = at_corner(2, word::edge2, word::step2_x, word::step2_y);
+  const double right1 = 256.0 * word(word::step1_x);
+  const double down1 = 256.0 * word(word::step1_y);
+  const double right2 = 256.0 * word(word::step2_x);
+  const double down2 = 256.0 * word(word::step2_y);
+  set(0, area - (e1 + e2), -(right1 + right2), -(down1 + down2));
+  set(1, e1, right1, down1);
+  set(2, e2, right2, down2);
   edges.ratio1 = Doubles(words[word::ratio1]);
   edges.ratio2 = Doubles(words[word::ratio2]);
   return edges;
@@ -575,25 +552,13 @@ HWY_INLINE VisibleTriangles::EdgeWalk<Whole> VisibleTriangles::walk(std::int32_t
 
 void VisibleTriangles::weigh_few(std::span<const VisiblePart> parts, int block,
                                  WeightsInBlock& weights) const {
-  const VisiblePart& part = parts.front();
-  const VisiblePart& other = parts.back();
-  const bool is_large = triangle(part.slot).is_large;
-  const bool other_is_large = triangle(other.slot).is_large;
-  if (!is_large && !other_is_large) {
-    varyings_.derivatives || !job_.skip.unread_attributes
-        ? weigh_small<true>(parts, block, weights)
-        : weigh_small<false>(parts, block, weights);
-    return;
-  }
-  if (!is_large) weigh_one<true>(part, block, weights);
-  if (!other_is_large) weigh_one<true>(other, block, weights);
-  if (is_large) weigh_large(part, block, weights);
-  if (other_is_large && parts.size() > 1) weigh_large(other, block, weights);
+  varyings_.derivatives || !job_.skip.unread_attributes ? weigh_few<true>(parts, block, weights)
+                                                        : weigh_few<false>(parts, block, weights);
 }
 
 template <bool for_derivatives>
-void VisibleTriangles::weigh_small(std::span<const VisiblePart> parts, int block,
-                                   WeightsInBlock& weights) const {
+void VisibleTriangles::weigh_few(std::span<const VisiblePart> parts, int block,
+                                 WeightsInBlock& weights) const {
   if (parts.size() == 1) {
     weigh_one<for_derivatives>(parts.front(), block, weights);
   } else {
@@ -604,7 +569,7 @@ void VisibleTriangles::weigh_small(std::span<const VisiblePart> parts, int block
 template <bool for_derivatives>
 void VisibleTriangles::weigh_one(const VisiblePart& part, int block,
                                  WeightsInBlock& weights) const {
-  auto edges = walk<Ints>(part.slot, block);
+  EdgeWalk edges = walk(part.slot, block);
   for (int first = 0; first < 64; first += lanes) {
     weights.set<for_derivatives>(first, edges.weights());
     edges.move_on(first);
@@ -615,8 +580,8 @@ void VisibleTriangles::weigh_one(const VisiblePart& part, int block,
 template <bool for_derivatives>
 void VisibleTriangles::weigh_two(const VisiblePart& part, const VisiblePart& other, int block,
                                  WeightsInBlock& weights) const {
-  auto edges = walk<Ints>(part.slot, block);
-  auto other_edges = walk<Ints>(other.slot, block);
+  EdgeWalk edges = walk(part.slot, block);
+  EdgeWalk other_edges = walk(other.slot, block);
   for (int first = 0; first < 64; first += lanes) {
     const Truth is_other = truth_of(lanes_at(other.mask, first));
     weights.set<for_derivatives>(first, edges.weights_beside(is_other, other_edges));
@@ -628,7 +593,7 @@ void VisibleTriangles::weigh_two(const VisiblePart& part, const VisiblePart& oth
 /// Beside the weights that are there.
 void VisibleTriangles::weigh_large(const VisiblePart& part, int block,
                                    WeightsInBlock& weights) const {
-  auto edges = walk<Doubles>(part.slot, block);
+  EdgeWalk edges = walk(part.slot, block);
   for (int first = 0; first < 64; first += lanes) {
     const Truth here = truth_of(lanes_at(part.mask, first));
     const PixelWeights own = edges.weights();
