@@ -12,15 +12,14 @@ template <class Number>
 struct TexelPair {
   Number first;  ///< the other is the next one; each may be one beyond an edge
   Number part;   ///< how far it is from the first to the next
-};
 
-template <class Number>
-TexelPair<Number> texel_pair(const Number& coordinate, const Number& size, Wrap wrap) {
-  const Number from_center =
-      fused_multiply_add(wrap_coordinate(coordinate, wrap), size, Number(-0.5F));
-  const Number first = round_down(from_center);
-  return {first, from_center - first};
-}
+  /// Of `size` texels.
+  TexelPair(const Number& coordinate, const Number& size) {
+    const Number from_center = fused_multiply_add(coordinate, size, Number(-0.5F));
+    first = round_down(from_center);
+    part = from_center - first;
+  }
+};
 
 /// The four texels whose centres surround a point, and where between them it lies.
 template <class Number>
@@ -38,21 +37,16 @@ auto visit_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
   if constexpr (!std::is_same_v<Texture::NearSquare<Number>, NoNearSquares>) {
     // Most pixels are answered here; what isn't at an edge needs no wrapping.
     if (!any(level_index > Number(0))) {
-      const auto from_center = [](const Number& coordinate, int size) {
-        return fused_multiply_add(coordinate, Number(static_cast<float>(size)), Number(-0.5F));
-      };
-      const Number x = from_center(uv.x(), texture.width());
-      const Number y = from_center(uv.y(), texture.height());
-      const Number left = round_down(x);
-      const Number low = round_down(y);
-      const auto square = texture.near_square(left, low);
-      if (square.found) return visit(square, Number(x - left), Number(y - low));
+      const TexelPair<Number> column(uv.x(), Number(static_cast<float>(texture.width())));
+      const TexelPair<Number> row(uv.y(), Number(static_cast<float>(texture.height())));
+      const auto square = texture.near_square(column.first, row.first);
+      if (square.found) return visit(square, column.part, row.part);
     }
   }
   const auto level = texture.level(level_index);
-  const auto column = texel_pair(uv.x(), level.width, wrap);
-  const auto row = texel_pair(uv.y(), level.height, wrap);
-  return texture.visit_square(level, column.first, row.first, wrap, [&](const auto& square) {
+  const TexelPair<Number> column(wrap_coordinate(uv.x(), wrap), level.width);
+  const TexelPair<Number> row(wrap_coordinate(uv.y(), wrap), level.height);
+  return texture.place_square(level, column.first, row.first, wrap, [&](const auto& square) {
     return visit(square, column.part, row.part);
   });
 }

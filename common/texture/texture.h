@@ -95,11 +95,11 @@ class Texture {
     std::array<Whole<Number>, 4> place;
   };
 
-  /// Calls `visit` for the square of row `low`, in column `left` and the next one, then of the next
-  /// row. Both from −1 up, and with what is next may be one beyond the edge, where `wrap` says what
-  /// is.
+  /// Calls `visit` with the place of the square of row `low`, in column `left` and the next one,
+  /// then of the next row. Both from −1 up, and with what is next may be one beyond the edge, where
+  /// `wrap` says what is.
   template <class Number, class Visit>
-  auto visit_square(const Level<Number>& level, const Number& left, const Number& low, Wrap wrap,
+  auto place_square(const Level<Number>& level, const Number& left, const Number& low, Wrap wrap,
                     const Visit& visit) const {
     const auto has_next = [](const Number& first, const Number& size) {
       return first >= Number(0) && first < size - Number(1);
