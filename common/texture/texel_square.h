@@ -29,8 +29,8 @@ struct TexelSquare {
   Number up;                              ///< and from the lower to the upper ones
 };
 
-/// Calls `visit(square, right, up)` for where they lie about (u, v) in one level (texture.h);
-/// beyond an edge there is what `wrap` says.
+/// Calls `visit(place, right, up)` for where they lie about (u, v) in one level, 0 to its last, of
+/// all textures of one size (texture.h); beyond an edge there is what `wrap` says.
 template <class Number, class Visit>
 auto visit_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
                   const Number& level_index, const Visit& visit) {
@@ -39,27 +39,16 @@ auto visit_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
     if (!any(level_index > Number(0))) {
       const TexelPair<Number> column(uv.x(), Number(static_cast<float>(texture.width())));
       const TexelPair<Number> row(uv.y(), Number(static_cast<float>(texture.height())));
-      const auto square = texture.near_square(column.first, row.first);
-      if (square.found) return visit(square, column.part, row.part);
+      const auto place = texture.near_square(column.first, row.first);
+      if (place.found) return visit(place, column.part, row.part);
     }
   }
   const auto level = texture.level(level_index);
   const TexelPair<Number> column(wrap_coordinate(uv.x(), wrap), level.width);
   const TexelPair<Number> row(wrap_coordinate(uv.y(), wrap), level.height);
-  return texture.place_square(level, column.first, row.first, wrap, [&](const auto& square) {
-    return visit(square, column.part, row.part);
+  return texture.place_square(level, column.first, row.first, wrap, [&](const auto& place) {
+    return visit(place, column.part, row.part);
   });
-}
-
-/// The texels about (u, v) in one level, 0 to its last, found and fetched.
-template <class Number>
-TexelSquare<Number> texel_square(const Texture& texture, Wrap wrap, const Vector2<Number>& uv,
-                                 const Number& level_index) {
-  return visit_square(
-      texture, wrap, uv, level_index,
-      [&](const auto& square, const Number& right, const Number& up) -> TexelSquare<Number> {
-        return {texture.texels(square), right, up};
-      });
 }
 
 }  // namespace rasterlab

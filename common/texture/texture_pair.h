@@ -20,39 +20,45 @@ class TexturePair {
 
   const Texture& one() const { return one_; }
   const Texture& other() const { return other_; }
+  int level_count() const { return one_.level_count(); }
 
  private:
   const Texture& one_;
   const Texture& other_;
 };
 
-/// sample_trilinear() of each. Which levels, which of their texels, and with what weights is found
-/// once for both: of what a sample costs, nearly half.
+/// What each has at a place.
 template <class Number>
-std::array<Vector3<Number>, 2> sample_trilinear(const TexturePair& textures, Wrap wrap,
-                                                const Footprint<Number>& footprint) {
+struct ColorPair {
+  Vector3<Number> one, other;
+};
+
+template <class Number>
+ColorPair<Number> blend(const ColorPair<Number>& a, const ColorPair<Number>& b,
+                        const Number& part) {
+  return {blend(a.one, b.one, part), blend(a.other, b.other, part)};
+}
+
+/// bilinear_in_level() of each. Where the texels lie is found once for both: of what a sample
+/// costs, nearly half.
+template <class Number>
+ColorPair<Number> bilinear_in_level(const TexturePair& textures, Wrap wrap,
+                                    const Vector2<Number>& uv, const Number& level_index) {
+  return visit_square(textures.one(), wrap, uv, level_index,
+                      [&](const auto& place, const Number& right, const Number& up) {
+                        const auto of = [&](const Texture& texture) {
+                          return bilinear(TexelSquare<Number>{texture.texels(place), right, up});
+                        };
+                        return ColorPair<Number>{of(textures.one()), of(textures.other())};
+                      });
+}
+
+/// sample_trilinear() of each, whose level is found once as well.
+template <class Number>
+ColorPair<Number> sample_trilinear(const TexturePair& textures, Wrap wrap,
+                                   const Footprint<Number>& footprint) {
   // <solution>
-  using Colors = std::array<Vector3<Number>, 2>;
-  const auto bilinear = [&](const Number& level_index) {
-    const auto of_square = [&](const auto& square, const Number& right, const Number& up) {
-      const auto of = [&](const Texture& texture) {
-        const auto texels = texture.texels(square);
-        return Vector3<Number>(
-            blend(blend(texels[0], texels[1], right), blend(texels[2], texels[3], right), up) *
-            Number(1.0F / 255));
-      };
-      return Colors{of(textures.one()), of(textures.other())};
-    };
-    return visit_square(textures.one(), wrap, footprint.uv, level_index, of_square);
-  };
-  const Number level = mip_level(textures.one(), footprint);
-  const Number finer = round_down(level);
-  const Colors fine = bilinear(finer);
-  if (!any(level > finer)) return fine;
-  const Number last(static_cast<float>(textures.one().level_count() - 1));
-  const Colors coarse = bilinear(minimum(finer + Number(1), last));
-  return {blend(fine[0], coarse[0], Number(level - finer)),
-          blend(fine[1], coarse[1], Number(level - finer))};
+  return blend_levels(textures, wrap, footprint.uv, mip_level(textures.one(), footprint));
   // <starter> return {sample_trilinear(textures.one(), wrap, footprint),
   // <starter>         sample_trilinear(textures.other(), wrap, footprint)};
   // </solution>

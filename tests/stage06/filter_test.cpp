@@ -229,8 +229,8 @@ TEST(stage06_sample_trilinear, of_a_pair_is_that_of_each) {
       // Magnified ones, and minified beyond the last level.
       const auto footprint = random_footprint(random, 2, i % 2 == 0 ? 0.1F : 2.0F);
       const auto colors = sample_trilinear(pair, wrap, footprint);
-      ASSERT_LE((colors[0] - sample_trilinear(one, wrap, footprint)).norm(), 1e-6F);
-      ASSERT_LE((colors[1] - sample_trilinear(other, wrap, footprint)).norm(), 1e-6F);
+      ASSERT_LE((colors.one - sample_trilinear(one, wrap, footprint)).norm(), 1e-6F);
+      ASSERT_LE((colors.other - sample_trilinear(other, wrap, footprint)).norm(), 1e-6F);
     }
   }
   EXPECT_THROW(TexturePair(one, Texture(noise(12, 16, 17))), CheckError);

@@ -27,10 +27,10 @@ struct TexturePairShader {
     const auto alone = [&](const Texture& texture) {
       return sample_trilinear(texture, Wrap::repeat, footprint);
     };
-    const std::array<Vector3<Number>, 2> colors =
+    const ColorPair<Number> colors =
         at_once ? sample_trilinear(textures, Wrap::repeat, footprint)
-                : std::array<Vector3<Number>, 2>{alone(textures.one()), alone(textures.other())};
-    return {colors[0].x(), colors[1].y(), (colors[0].z() + colors[1].z()) * Number(0.5F)};
+                : ColorPair<Number>{alone(textures.one()), alone(textures.other())};
+    return {colors.one.x(), colors.other.y(), (colors.one.z() + colors.other.z()) * Number(0.5F)};
   }
 };
 
