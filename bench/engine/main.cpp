@@ -296,8 +296,10 @@ int run(int argc, char** argv) {
   app.add_option("--repeat", settings.repeat, "repetitions of each measurement");
   app.add_flag("--ours-only", settings.ours_only, "leave the peer out, for profiling");
   app.add_flag("--stats", settings.stats, "print what the engine did and skipped");
-  app.add_flag("--scaling", settings.scaling,
-               "instead: how time and memory follow threads, what is visible, and size");
+  app.add_flag(
+      "--scaling", settings.scaling,
+      "instead: how time and memory follow threads, what is visible, and size; spreads are "
+      "between quartiles, in each value's unit");
   CLI11_PARSE(app, argc, argv);
   std::filesystem::create_directories(settings.out);
   if (settings.scaling) {

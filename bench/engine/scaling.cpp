@@ -27,10 +27,15 @@ namespace rasterlab::bench {
 
 namespace {
 
-/// What came out, and how far apart the quartiles of what it is the median of are, as a part of it.
+/// What came out, and how far apart the quartiles are of what it is the median of, in its unit.
 struct Measured {
   double value;
   double spread = 0;
+
+  static Measured of(const std::vector<double>& values) {
+    const double middle = median(values);
+    return {middle, bench::spread(values) * middle};
+  }
 };
 
 /// What `measure` gives in a process of its own: memory and threads begin afresh.
@@ -155,9 +160,7 @@ class Turns {
     busiest_.push_back(a.busiest / b.busiest);
   }
 
-  CostRatio ratio() const {
-    return {{median(wall_), spread(wall_)}, {median(busiest_), spread(busiest_)}};
-  }
+  CostRatio ratio() const { return {Measured::of(wall_), Measured::of(busiest_)}; }
 
  private:
   std::vector<double> wall_;
@@ -251,7 +254,7 @@ Measured cost_of_more(float at_z) {
   const Measured ratio =
       ratio_of_costs([&] { return with.cost(renderer); }, [&] { return without.cost(renderer); })
           .busiest;
-  return {(ratio.value - 1) * 100, ratio.spread};
+  return {(ratio.value - 1) * 100, ratio.spread * 100};
 }
 
 /// Of /proc/self/status, in MB.
@@ -283,7 +286,7 @@ Measured memory_of_large_picture() {
 }
 
 void print(const ScalingResult& r) {
-  std::printf("%-76s %8.2f  spread %2.0f%%  (%s %.4g%s", r.name.c_str(), r.value, 100 * r.spread,
+  std::printf("%-76s %8.2f  spread %5.2f  (%s %.4g%s", r.name.c_str(), r.value, r.spread,
               r.at_least ? "at least" : "at most", r.limit, r.reached() ? "" : ": not reached");
   if (r.machine) std::printf("; sums in registers meanwhile: %.2f", *r.machine);
   std::puts(")");

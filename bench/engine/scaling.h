@@ -12,7 +12,7 @@ namespace rasterlab::bench {
 struct ScalingResult {
   std::string name;
   double value;   ///< a median, …
-  double spread;  ///< … and how far apart its quartiles are, as a part of it
+  double spread;  ///< … and how far apart its quartiles are, in the same unit
   double limit;
   bool at_least;  ///< whether the limit is a lower one
   /// Of two threads: what they were meanwhile against one where neither needs the other nor memory.
