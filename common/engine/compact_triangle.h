@@ -7,6 +7,7 @@
 
 #include "common/engine/blocks.h"
 #include "common/engine/medium_lanes.h"
+#include "common/engine/nearest_pixels.h"
 
 namespace rasterlab::RASTERLAB_SIMD {
 

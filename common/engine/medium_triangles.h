@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/engine/compact_triangle.h"
+#include "common/engine/nearest_pixels.h"
 #include "common/engine/plane_depths.h"
 
 namespace rasterlab::RASTERLAB_SIMD {
