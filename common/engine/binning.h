@@ -233,35 +233,44 @@ class Binning {
   // -------------------------------------------------------------------------------------------
   // Triangles of few pixels
 
+  /// Most are in one tile: these are written where they belong, all at once, and others beside.
   void add_packed(const Triangles& triangles, const SampleBounds& pixels, const std::uint32_t* ids,
                   const Kinds& kinds, std::uint32_t mask) {
     const Ints first_tile = tile_of(pixels.left, pixels.top);
-    const Truth in_one_tile = first_tile == tile_of(pixels.right, pixels.bottom);
+    const std::uint32_t in_one_tile = bits(first_tile == tile_of(pixels.right, pixels.bottom));
     IntLanes tile;
     store(first_tile, tile.data());
     std::array<float, lanes> nearest;
     store(bounds_of(triangles.depth).near, nearest.data());
     const auto is_small = [&](std::size_t lane) { return (kinds.small >> lane & 1U) != 0; };
-    // Most are in one tile: these are written where they belong, all at once, and others beside.
     std::array<PackedTriangle, lanes> beside;
     std::array<PackedTriangle*, lanes> to;
     for (std::size_t lane = 0; lane < lanes; ++lane) to[lane] = &beside[lane];
-    for (std::uint32_t rest = mask & bits(in_one_tile); rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+    for_each_lane(mask & in_one_tile, [&](std::size_t lane) {
       if (!hides(tile[lane], nearest[lane])) to[lane] = &new_in(tile[lane], is_small(lane));
-    }
+    });
     write_packed(triangles, pixels, ids, to);
-    for (std::uint32_t rest = mask & bits(!in_one_tile); rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-      const int columns = (right_[lane] >> tile_shift_) - (left_[lane] >> tile_shift_);
-      const int rows = (bottom_[lane] >> tile_shift_) - (top_[lane] >> tile_shift_);
-      for (int row = 0; row <= rows; ++row) {
-        for (int column = 0; column <= columns; ++column) {
-          const int there = tile[lane] + row * tiles_x_ + column;
-          if (hides(there, nearest[lane])) continue;
-          move(beside[lane], column, row, new_in(there, is_small(lane)));
-        }
-      }
+    for_each_lane(mask & ~in_one_tile, [&](std::size_t lane) {
+      for_each_tile_in_bounds(lane, [&](int column, int row) {
+        const int there = tile[lane] + row * tiles_x_ + column;
+        if (hides(there, nearest[lane])) return;
+        move(beside[lane], column, row, new_in(there, is_small(lane)));
+      });
+    });
+  }
+
+  template <class Visit>
+  static void for_each_lane(std::uint32_t mask, const Visit& visit) {
+    for (; mask != 0; mask &= mask - 1) visit(static_cast<std::size_t>(std::countr_zero(mask)));
+  }
+
+  /// Calls `visit(column, row)` for the tiles a lane's pixels are in, counted from their first.
+  template <class Visit>
+  void for_each_tile_in_bounds(std::size_t lane, const Visit& visit) const {
+    const int columns = (right_[lane] >> tile_shift_) - (left_[lane] >> tile_shift_);
+    const int rows = (bottom_[lane] >> tile_shift_) - (top_[lane] >> tile_shift_);
+    for (int row = 0; row <= rows; ++row) {
+      for (int column = 0; column <= columns; ++column) visit(column, row);
     }
   }
 

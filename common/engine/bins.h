@@ -53,15 +53,15 @@ class Arena {
   std::size_t used_ = block_size;
 };
 
-/// A triangle of a few pixels: eight words, that are written and read at once. Coordinates count
-/// from the corner of a tile in 1/256 pixel, x in the low half, y in the high half. Corners are in
-/// the order that makes the area positive.
+/// A triangle of a few pixels: eight words, the last of no use, that are written and read at once.
+/// Coordinates count from the corner of a tile in 1/256 pixel, x in the low half, y in the high
+/// half. Corners are in the order that makes the area positive.
 struct alignas(32) PackedTriangle {
   std::array<std::uint32_t, 3> corner;
   std::array<float, 3> depth;
   std::uint32_t key;
-  std::uint32_t none;  ///< the eighth word
 };
+static_assert(sizeof(PackedTriangle) == 8 * sizeof(std::uint32_t));
 
 /// Those that reach into one tile.
 struct PackedTriangles {
