@@ -13,7 +13,7 @@ namespace rasterlab::RASTERLAB_SIMD {
 /// Pixels are 256 units apart, so whether the function is at least 0 can be asked of it divided by
 /// 256 and rounded down, whose steps are coordinate differences, below 2^24 in magnitude. Over a
 /// tile it changes by less than 2^31; if it has both signs there, it fits 32 bits everywhere.
-struct TileEdge {
+struct EdgeFunction {
   std::int64_t exact;   ///< at the tile's first pixel
   std::int32_t step_x;  ///< of the divided function, per pixel
   std::int32_t step_y;
@@ -22,8 +22,8 @@ struct TileEdge {
   std::int32_t test_y;
   bool misses;  ///< all the tile is outside
 
-  TileEdge() = default;
-  TileEdge(const LargeTriangle& t, std::size_t i, const Tile& tile) {
+  EdgeFunction() = default;
+  EdgeFunction(const LargeTriangle& t, std::size_t i, const Tile& tile) {
     const std::size_t a = (i + 1) % 3;
     const std::size_t b = (i + 2) % 3;
     step_x = t.y[a] - t.y[b];
@@ -48,7 +48,7 @@ struct TileEdge {
   std::int32_t test_change(PixelOffset way) const { return test_x * way.x + test_y * way.y; }
 };
 
-inline DepthPlane plane_of(const LargeTriangle& t, const std::array<TileEdge, 3>& edges) {
+inline DepthPlane plane_of(const LargeTriangle& t, const std::array<EdgeFunction, 3>& edges) {
   const auto area = static_cast<double>(edges[0].step_y) * (t.y[0] - t.y[1]) +
                     static_cast<double>(edges[0].step_x) * (t.x[0] - t.x[1]);
   const double inverse = 1.0 / area;
@@ -90,7 +90,7 @@ class LargeDrawing {
         triangle_(triangle),
         key_(static_cast<std::int32_t>(triangle.key)),
         open_(open) {
-    for (std::size_t i = 0; i < 3; ++i) edge_[i] = TileEdge(triangle, i, tile);
+    for (std::size_t i = 0; i < 3; ++i) edge_[i] = EdgeFunction(triangle, i, tile);
   }
 
   bool misses() const { return edge_[0].misses || edge_[1].misses || edge_[2].misses; }
@@ -122,7 +122,7 @@ class LargeDrawing {
       const BlockCorners at_block(tile_, first);
       Ints best(0);   // negative: outside an edge
       Ints worst(0);  // negative: not wholly inside
-      for (const TileEdge& e : edge_) {
+      for (const EdgeFunction& e : edge_) {
         const Ints at = Ints(e.divided) + at_block.x * Ints(e.test_x) + at_block.y * Ints(e.test_y);
         best = best | (at + Ints(7 * (std::max(e.test_x, 0) + std::max(e.test_y, 0))));
         worst = worst | (at + Ints(7 * (std::min(e.test_x, 0) + std::min(e.test_y, 0))));
@@ -135,7 +135,7 @@ class LargeDrawing {
 
   void prepare_coverage() {
     for (std::size_t i = 0; i < 3; ++i) {
-      const TileEdge& edge = edge_[i];
+      const EdgeFunction& edge = edge_[i];
       coverage_[i] = BlockSteps<Ints>(
           [&](PixelOffset way) { return edge.test_change(way); },
           load(places.x.data()) * Ints(edge.test_x) + load(places.y.data()) * Ints(edge.test_y));
@@ -280,7 +280,7 @@ class LargeDrawing {
   const Tile& tile_;
   const LargeTriangle& triangle_;
   Ints key_;
-  std::array<TileEdge, 3> edge_;
+  std::array<EdgeFunction, 3> edge_;
   BlockMask open_;
   BlockMask touched_ = 0;
   BlockMask inside_ = 0;
