@@ -58,6 +58,9 @@ class FrameAccess {
   std::uint32_t& keys_used() const { return frame_.keys_used_; }
   Keep& kept() const { return frame_.kept_; }
   float& tile_far(int tile) const { return frame_.tile_far_[static_cast<std::size_t>(tile)]; }
+  float* block_far(int tile) const {
+    return frame_.block_far_.get() + static_cast<std::ptrdiff_t>(tile) * frame_.tile_pixels() / 64;
+  }
   const float* tile_fars() const { return frame_.tile_far_.get(); }
   const float* block_fars() const { return frame_.block_far_.get(); }
   const std::uint8_t* drawn() const { return frame_.drawn_.data(); }
@@ -73,7 +76,7 @@ class FrameAccess {
     const auto first = static_cast<std::ptrdiff_t>(index) * frame_.tile_pixels();
     tile.depth = frame_.depth_.get() + first;
     tile.key = frame_.key_.get() + first;
-    tile.block_far = frame_.block_far_.get() + first / 64;
+    tile.block_far = block_far(index);
     tile.color = frame_.color_.row(tile.top) + tile.left;
     tile.stride = frame_.width_;
     return tile;
@@ -92,8 +95,7 @@ class FrameAccess {
   void prepare(const Tile& tile) const {
     std::uint8_t& drawn = frame_.drawn_[static_cast<std::size_t>(tile.index)];
     if (drawn != not_drawn) return;
-    const bool here = tile.block_far == this->tile(tile.index).block_far;
-    drawn = here ? drawn_here : drawn_in_passing;
+    drawn = tile.block_far == block_far(tile.index) ? drawn_here : drawn_in_passing;
     std::fill_n(tile.block_far, tile.block_count(), 0.0F);
     if (tile.undisputed != nullptr) {
       tile.undisputed->begin(tile.block_count());
