@@ -1,5 +1,6 @@
 // Each switch of Skips: it changes no pixel, and what it spares is counted.
 #include "common/engine/renderer.h"
+#include "common/mesh/shapes.h"
 
 #include "tests/engine/test_shaders.h"
 
@@ -264,6 +265,11 @@ TEST_F(engine_skips, untouched_tiles_are_counted) {
   EXPECT_EQ(off.tiles_drawn, std::uint64_t{all});
 }
 
+TEST_F(engine_skips, hidden_parts_of_triangles_are_counted) {
+  EXPECT_GT(draw(mesh_, {}).statistics.blocks_hidden, 0U);
+  EXPECT_EQ(draw(mesh_, without(&Skips::hidden_triangles)).statistics.blocks_hidden, 0U);
+}
+
 /// Once a tile has a picture, it must not get its background again.
 TEST_F(engine_skips, untouched_tiles_keep_what_an_earlier_call_drew) {
   const BusyShader shader;
@@ -279,6 +285,80 @@ TEST_F(engine_skips, untouched_tiles_keep_what_an_earlier_call_drew) {
     renderer.draw({.mesh = &empty, .shading = shading(shader)}, frame);
     EXPECT_EQ(frame.color(), expected);
   }
+}
+
+struct Colors {
+  Image<Rgb8> color;
+  Statistics statistics;
+};
+
+/// Of what is drawn only the colours are kept.
+Colors draw_colors(const PreparedMesh& mesh, const EngineOptions& options, Cull cull,
+                   const Eigen::Matrix4f& matrix) {
+  const BusyShader shader;
+  Framebuffer frame(width, height, tile_size);
+  const Statistics statistics = Renderer(options).draw({.mesh = &mesh,
+                                                        .matrix = matrix,
+                                                        .cull = cull,
+                                                        .shading = shading(shader),
+                                                        .keep = Keep::color},
+                                                       frame);
+  return {frame.color(), statistics};
+}
+
+/// Beyond the picture's sides.
+Eigen::Matrix4f enlarged(float depth_scale) {
+  return Eigen::Vector4f(1.5F, 1.5F, depth_scale, 1).asDiagonal();
+}
+
+/// What one of the skips spares is counted, and nothing when it is switched off.
+void expect_counted(const PreparedMesh& mesh, const Eigen::Matrix4f& matrix, Cull cull,
+                    bool Skips::*skip, std::uint64_t Statistics::*count) {
+  const Colors with = draw_colors(mesh, {}, cull, matrix);
+  const Colors off = draw_colors(mesh, without(skip), cull, matrix);
+  const std::string name = std::ranges::find(named_skips, skip, &NamedSkip::skip)->name;
+  EXPECT_GT(with.statistics.*count, 0U) << name;
+  EXPECT_EQ(off.statistics.*count, 0U) << name;
+  EXPECT_EQ(off.color, with.color) << name;
+}
+
+TEST_F(engine_skips, what_is_not_kept_is_counted) {
+  const auto check = [&](bool Skips::*skip, std::uint64_t Statistics::*count) {
+    expect_counted(mesh_, Eigen::Matrix4f::Identity(), Cull::none, skip, count);
+  };
+  check(&Skips::unwanted_depth, &Statistics::tiles_not_kept);
+  check(&Skips::undisputed_blocks, &Statistics::blocks_undisputed);
+}
+
+/// Of more triangles than one batch has, some in front of others.
+class engine_skips_of_a_knot : public testing::Test {
+ protected:
+  const Mesh plain_ = make_shape("torus_knot", 80);
+  const PreparedMesh mesh_{plain_};
+};
+
+TEST_F(engine_skips_of_a_knot, clusters_and_triangles_are_counted) {
+  const auto check = [&](Cull cull, bool Skips::*skip, std::uint64_t Statistics::*count) {
+    expect_counted(mesh_, enlarged(0.5F), cull, skip, count);
+  };
+  check(Cull::none, &Skips::outside, &Statistics::clusters_outside);
+  check(Cull::back, &Skips::facing_away, &Statistics::clusters_facing_away);
+  check(Cull::none, &Skips::hidden_clusters, &Statistics::clusters_hidden);
+  check(Cull::none, &Skips::hidden_triangles, &Statistics::triangles_hidden);
+}
+
+/// Whichever end of it the clusters begin with.
+TEST_F(engine_skips_of_a_knot, more_is_hidden_front_to_back) {
+  const auto hidden = [&](EngineOptions options) {
+    options.threads = 1;
+    std::uint64_t clusters = 0;
+    for (const float depth_scale : {0.5F, -0.5F}) {
+      clusters +=
+          draw_colors(mesh_, options, Cull::none, enlarged(depth_scale)).statistics.clusters_hidden;
+    }
+    return clusters;
+  };
+  EXPECT_GT(hidden({}), hidden(without(&Skips::front_to_back)));
 }
 
 }  // namespace
