@@ -216,13 +216,13 @@ class Bench {
       return;
     }
     const int least = settings_.repeat > 0 ? settings_.repeat : settings_.quick ? 5 : 15;
-    const double most_ms = settings_.repeat > 0 ? 0 : settings_.quick ? 400 : 3000;
+    const double most_ms = settings_.repeat > 0 ? 0 : settings_.quick ? 300 : 3000;
     double spent = 0;
     for (int i = 0; i < least || (spent < most_ms && i < 60); ++i) {
       add(time_of(draw_ours), result.ours, result.ours_cpu);
       if (peer_) add(time_of(draw_peer), result.peer, result.peer_cpu);
       spent += result.ours.back() + (peer_ ? result.peer.back() : 0);
-      if (settings_.quick && spent > 1000 && i >= 2) break;
+      if (settings_.quick && spent > 700 && i >= 2) break;
     }
     result.peak_memory_mb = peak_memory();
     print_row(result);
