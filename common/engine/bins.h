@@ -146,6 +146,7 @@ struct TileBin {
   /// slivers, which hardly do.
   std::uint32_t worth = 0;
   static constexpr std::uint32_t worth_of_medium = 8;
+  /// One for four of its pixels, at most as many as a tile has.
   static std::uint32_t worth_of_large(const LargeTriangle& triangle) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(triangle.pixels() / 4, 1, 1000));
   }

@@ -40,6 +40,19 @@ struct EncodeShader {
   }
 };
 
+/// How fast it grows to the right, or down, of ±1 / scale: −1 / scale is encoded as 0, 1 / scale
+/// as 1.
+struct EncodeDerivativeShader : EncodeShader {
+  bool down;
+  float scale;
+
+  template <class Number>
+  Vector3<Number> fragment(const SurfacePoint<Varyings, Number>& point) const {
+    const Number slope = down ? point.dy.value : point.dx.value;
+    return encode(Number((slope * Number(scale) + Number(1)) * Number(0.5F)));
+  }
+};
+
 /// base^exponent, encoded; the exponent the same everywhere.
 struct UniformPowerShader {
   float base;

@@ -5,6 +5,7 @@
 #include "tests/engine/encode_shader.h"
 
 #include <random>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -75,22 +76,29 @@ struct Errors {
   int pixels = 0;
 };
 
+TriangleEdges edges_of(const Case& c) {
+  std::array<Eigen::Vector2f, 3> window;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector4f& p = c.clip[i];
+    window[i] = {(p.x() / p.w() + 1) * (size / 2.0F), (1 - p.y() / p.w()) * (size / 2.0F)};
+  }
+  return make_edges(snap(window));
+}
+
 void measure(const Case& c, Renderer& renderer, const PreparedMesh& mesh, Errors& errors) {
   const EncodeShader shader = {c.attribute};
   Framebuffer frame(size, size);
   renderer.draw({.mesh = &mesh, .matrix = matrix_of(c), .shading = shading(shader)}, frame);
   const Image<float> depth = frame.depth();
   const Image<std::int32_t> ids = frame.ids();
-  std::array<Eigen::Vector2f, 3> window;
   std::array<Exact, 3> corner_depth;
   Exact largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector4f& p = c.clip[i];
-    window[i] = {(p.x() / p.w() + 1) * (size / 2.0F), (1 - p.y() / p.w()) * (size / 2.0F)};
     corner_depth[i] = (static_cast<Exact>(p.w()) - p.z()) / 2 / p.w();
     largest = std::max(largest, corner_depth[i]);
   }
-  const TriangleEdges edges = make_edges(snap(window));
+  const TriangleEdges edges = edges_of(c);
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       if (ids(x, y) < 0) continue;
@@ -134,6 +142,88 @@ TEST(engine_precision, depth_and_attributes_against_float128) {
                    std::to_string(errors.depth * 1e7) + "e-7");
     std::printf("w ratio %g: attribute error %.3g, depth error %.3g over %d pixels\n",
                 static_cast<double>(w_ratio), errors.attribute, errors.depth, errors.pixels);
+  }
+}
+
+/// An attribute's derivative, and what its float may be off: so much of the sizes of the products
+/// it is the sum of.
+struct Slope {
+  int x, y;
+  double exact;
+  double allowed;
+};
+
+/// In the pixels that see the triangle. With q = E · w0 / w and Q their sum, the attribute a grows
+/// by (q1' (a1 − a0) + q2' (a2 − a0) − (a − a0) Q') / Q.
+std::vector<Slope> slopes_of(const Case& c, bool down, const Image<std::int32_t>& ids) {
+  const TriangleEdges edges = edges_of(c);
+  const auto size_of = [](Exact a) { return a < 0 ? -a : a; };
+  std::vector<Slope> slopes;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      if (ids(x, y) < 0) continue;
+      Exact sum = 0;
+      Exact growth_of_sum = 0;
+      Exact beyond_first = 0;
+      Exact growth = 0;
+      Exact products = 0;
+      Exact steps = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& edge = edges.edges[i];
+        const auto here = static_cast<Exact>(edge.at(x, y));
+        const Exact step = static_cast<Exact>(down ? edge.at(x, y + 1) : edge.at(x + 1, y)) - here;
+        const Exact ratio = static_cast<Exact>(c.clip[0].w()) / c.clip[i].w();
+        const Exact difference = static_cast<Exact>(c.attribute[i]) - c.attribute[0];
+        sum += here * ratio;
+        growth_of_sum += step * ratio;
+        beyond_first += here * ratio * difference;
+        growth += step * ratio * difference;
+        products += size_of(step * ratio * difference);
+        if (i > 0) steps += size_of(step) + size_of(step * ratio);
+      }
+      beyond_first /= sum;
+      products += size_of(beyond_first) * steps;
+      // Ratios, steps, products and sums: each rounded by 2^-24 of a product at most.
+      slopes.push_back({x, y, static_cast<double>((growth - beyond_first * growth_of_sum) / sum),
+                        static_cast<double>(products / sum) * 4 * 0x1p-24});
+    }
+  }
+  return slopes;
+}
+
+TEST(engine_precision, derivatives_against_float128) {
+  const PreparedMesh mesh(unit_mesh());
+  for (const SimdTarget simd : supported_simd_targets()) {
+    SCOPED_TRACE(name_of(simd));
+    Random random;
+    Renderer renderer({.threads = 1, .simd = simd, .skip = {}});
+    int pixels = 0;
+    for (int i = 0; i < 600; ++i) {
+      const Case c = random_case(random, i % 2 == 0 ? 10.0F : 1e5F);
+      const bool down = i % 4 < 2;
+      const auto draw = [&](float scale) {
+        const EncodeDerivativeShader shader = {{c.attribute}, down, scale};
+        Framebuffer frame(size, size);
+        renderer.draw({.mesh = &mesh, .matrix = matrix_of(c), .shading = shading(shader)}, frame);
+        return frame;
+      };
+      const std::vector<Slope> slopes = slopes_of(c, down, draw(1).ids());
+      double steepest = 0;
+      for (const Slope& slope : slopes) steepest = std::max(steepest, std::abs(slope.exact));
+      if (steepest == 0) continue;
+      const auto scale = static_cast<float>(0.99 / steepest);
+      const Framebuffer frame = draw(scale);
+      for (const Slope& slope : slopes) {
+        const Rgb8& pixel = frame.color()(slope.x, slope.y);
+        const double found =
+            (2 * decode(pixel.r, pixel.g, pixel.b) - 1) / static_cast<double>(scale);
+        // Scaled, the sum with 1, and the picture's 24 bits add 2^-22 of what 1 stands for.
+        ASSERT_NEAR(found, slope.exact, slope.allowed + steepest * 0x1p-22)
+            << "triangle " << i << ", pixel " << slope.x << ", " << slope.y;
+        ++pixels;
+      }
+    }
+    EXPECT_GT(pixels, 50000);
   }
 }
 
